@@ -1,0 +1,34 @@
+/* File formats: one writer or reader per file; the list is formats/registry.c. A writer turns the model into bytes; it
+ * opens no file. A format may make several files: they are enumerated, named and written one by one. */
+#ifndef LAM_FORMATS_FORMAT_H
+#define LAM_FORMATS_FORMAT_H
+
+#include "core/error.h"
+#include "core/key.h"
+#include "core/model.h"
+#include "core/text.h"
+
+typedef struct lam_format {
+  const char *name;   /* as in --only */
+  const char *doc;    /* one sentence */
+  const char *ending; /* of the files it reads, for instance "obj"; NULL when it only writes */
+  /* How many files the model gives (0: nothing to write). NULL: a reader only. */
+  int (*count)(const lam_model *model);
+  /* The name of file i relative to the output folder, for instance "parts/A07a.stl". */
+  void (*path)(const lam_model *model, int i, lam_text *path);
+  /* The content of file i. LAM_OK, or LAM_FAILED when an outside library failed. */
+  lam_status (*write)(const lam_model *model, int i, lam_text *out);
+  /* NULL-terminated list of template files (relative to templates/) that must stand beside the output; may be NULL.
+   * They depend on the model (a scene needs only its own setting). */
+  const char *const *(*support)(const lam_model *model);
+  /* Reads a quad mesh / a triangle mesh from bytes. place.file names the file; errors name its line. NULL: not read. */
+  bool (*read_mesh)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors, lam_mesh *mesh);
+  bool (*read_triangles)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors, lam_trimesh *mesh);
+} lam_format;
+
+extern const lam_format *const lam_formats[];
+extern const int lam_format_count;
+/* The format that reads files with this ending (case-insensitive), or NULL. */
+const lam_format *lam_format_for(const char *path);
+
+#endif

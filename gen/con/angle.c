@@ -1,0 +1,78 @@
+#include "con/constraint.h"
+#include "con/kernel.h"
+#include <math.h>
+
+/* Angle of the two tangents of a regular star (thesis 3.1, isogonal net; its eq. 3.1 as printed is another condition).
+ *   T1 = unit(e1 - e3),  T2 = unit(e2 - e4),  r = T1 . T2 - cos(angle),  p[0] = cos(angle) */
+static void tangent_angle(int n, const double *x, const double *p, double *r, double *J) {
+  lam_vec3 v = lam_local(x, 0), e[4];
+  double length[4];
+  for (int k = 0; k < 4; k++) {
+    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
+    length[k] = lam_length(E);
+    e[k] = lam_scale(E, 1 / length[k]);
+  }
+  lam_vec3 a = lam_sub(e[0], e[2]), b = lam_sub(e[1], e[3]);
+  double la = lam_length(a), lb = lam_length(b);
+  lam_vec3 T1 = lam_scale(a, 1 / la), T2 = lam_scale(b, 1 / lb);
+  r[0] = lam_dot(T1, T2) - p[0];
+  if (!J) return;
+  for (int c = 0; c < n; c++) J[c] = 0;
+  lam_vec3 da = lam_unit_pullback(T1, la, T2), db = lam_unit_pullback(T2, lb, T1);
+  lam_vec3 de[4] = {da, db, lam_scale(da, -1), lam_scale(db, -1)};
+  for (int k = 0; k < 4; k++) {
+    lam_vec3 dE = lam_unit_pullback(e[k], length[k], de[k]);
+    lam_add_to(J, k + 1, dE);
+    lam_add_to(J, 0, lam_scale(dE, -1));
+  }
+}
+
+static void add_angle(lam_scope *scope, const char *name, double cosine, double weight) {
+  const int *nodes;
+  int count = lam_scope_stars(scope, &nodes);
+  double *params = LAM_NEW(scope->problem->arena, double, count);
+  for (int i = 0; i < count; i++) params[i] = cosine;
+  lam_problem_add(scope->problem, (lam_block){.name = name,
+                                              .kernel = tangent_angle,
+                                              .rows = 1,
+                                              .weight = weight,
+                                              .count = count,
+                                              .arity = 5,
+                                              .nodes = nodes,
+                                              .param_count = 1,
+                                              .params = params});
+}
+
+static void add_given(lam_scope *scope, const void *params, double weight, lam_place place) {
+  (void)place;
+  add_angle(scope, "angle", cos(((const lam_angle_params *)params)->angle), weight);
+}
+
+static void add_orthogonal(lam_scope *scope, const void *params, double weight, lam_place place) {
+  (void)params, (void)place;
+  add_angle(scope, "orthogonal", 0, weight);
+}
+
+static const lam_key angle_keys[] = {{.name = "angle",
+                                      .type = LAM_KEY_NUMBER,
+                                      .unit = LAM_UNIT_ANGLE,
+                                      .offset = offsetof(lam_angle_params, angle),
+                                      .count = 1,
+                                      .initial = "60 deg",
+                                      .min = 5 * (3.14159265358979323846 / 180),
+                                      .max = 175 * (3.14159265358979323846 / 180),
+                                      .doc = "Angle between the two families at every regular vertex."},
+                                     {0}};
+
+const lam_constraint_kind lam_con_angle = {
+    {"angle", "Constant angle",
+     "The two families of polylines cross at the same angle everywhere, so that all nodes are alike. On an asymptotic net this "
+     "fixes the ratio of the principal curvatures: tan^2(angle / 2) = -k1 / k2.",
+     "unit(e1 - e3) . unit(e2 - e4) = cos(angle)", "thesis 3.1, definition 4", angle_keys, sizeof(lam_angle_params)},
+    add_given};
+
+const lam_constraint_kind lam_con_orthogonal = {
+    {"orthogonal", "Right angles",
+     "The two families of polylines cross at 90 degrees everywhere. On an asymptotic net the surface is then a minimal surface.",
+     "unit(e1 - e3) . unit(e2 - e4) = 0", "thesis 3.1, corrected", NULL, 0},
+    add_orthogonal};

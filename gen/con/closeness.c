@@ -1,0 +1,82 @@
+#include "con/constraint.h"
+
+/* A vertex at a given place: r = v - p (3 rows, length). Linear. */
+static void at_place(int n, const double *x, const double *p, double *r, double *J) {
+  for (int c = 0; c < 3; c++) r[c] = x[c] - p[c];
+  if (!J) return;
+  for (int i = 0; i < 3 * n; i++) J[i] = 0;
+  for (int c = 0; c < 3; c++) J[c * n + c] = 1;
+}
+
+void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double weight, int count, const int *vertices,
+                       const lam_vec3 *targets) {
+  double *params = LAM_NEW(scope->problem->arena, double, 3 * count);
+  for (int i = 0; i < count; i++) {
+    params[3 * i] = targets[i].x;
+    params[3 * i + 1] = targets[i].y;
+    params[3 * i + 2] = targets[i].z;
+  }
+  lam_problem_add(scope->problem, (lam_block){.name = name,
+                                              .kernel = at_place,
+                                              .rows = 3,
+                                              .linear = true,
+                                              .role = role,
+                                              .weight = weight,
+                                              .count = count,
+                                              .arity = 1,
+                                              .nodes = vertices,
+                                              .param_count = 3,
+                                              .params = params});
+}
+
+static void add_closeness(lam_scope *scope, const void *params, double weight, lam_place place) {
+  (void)params, (void)place;
+  lam_arena *arena = scope->problem->arena;
+  int n = scope->net->mesh.vertex_count, *vertices = LAM_NEW(arena, int, n);
+  lam_vec3 *targets = LAM_NEW(arena, lam_vec3, n);
+  for (int v = 0; v < n; v++) vertices[v] = v;
+  lam_problem_positions(scope->problem, targets);
+  lam_closeness_add(scope, "closeness", LAM_FAIRNESS, weight, n, vertices, targets);
+}
+
+static void add_handle(lam_scope *scope, const void *params, double weight, lam_place place) {
+  const lam_handle_params *handle = params;
+  if (handle->vertex[0] < 0 || handle->vertex[0] >= scope->net->mesh.vertex_count) {
+    lam_error_add(scope->errors, place, "vertex", "vertex %d, but the net has vertices 0 to %d", handle->vertex[0],
+                  scope->net->mesh.vertex_count - 1);
+    return;
+  }
+  int *vertex = LAM_NEW(scope->problem->arena, int, 1);
+  *vertex = handle->vertex[0];
+  lam_vec3 target = lam_v3(handle->to[0] / scope->unit, handle->to[1] / scope->unit, handle->to[2] / scope->unit);
+  lam_closeness_add(scope, "handle", LAM_HARD, weight, 1, vertex, &target);
+}
+
+static const lam_key handle_keys[] = {{.name = "vertex",
+                                       .type = LAM_KEY_INTEGER,
+                                       .offset = offsetof(lam_handle_params, vertex),
+                                       .count = 2,
+                                       .initial = "[0, -1]",
+                                       .doc = "Index of the vertex, followed by -1."},
+                                      {.name = "to",
+                                       .type = LAM_KEY_NUMBER,
+                                       .unit = LAM_UNIT_LENGTH,
+                                       .offset = offsetof(lam_handle_params, to),
+                                       .count = 3,
+                                       .initial = "[0, 0, 0]",
+                                       .doc = "Where the vertex has to be."},
+                                      {0}};
+
+const lam_constraint_kind lam_con_closeness = {
+    {"closeness", "Closeness to the start",
+     "Holds every vertex near its place at the start. Its weight fades with the fairness: it guides the first steps and is gone in "
+     "the result.",
+     "v - v_start -> small", "thesis 3.7", NULL, 0},
+    add_closeness};
+
+const lam_constraint_kind lam_con_handle = {
+    {"handle", "Handle",
+     "A vertex that has to be at a given place. Handles at the corners of an open grid belong to no vertex star: take vertices one row "
+     "further in.",
+     "v = target", "thesis 3.7", handle_keys, sizeof(lam_handle_params)},
+    add_handle};

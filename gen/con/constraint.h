@@ -1,0 +1,65 @@
+/* Constraints: one kind per file; the list is con/registry.c. A kind adds blocks of elements to a problem and owns their kernel.
+ * All lengths in a problem are in units of the net's mean edge at the start. */
+#ifndef LAM_CON_CONSTRAINT_H
+#define LAM_CON_CONSTRAINT_H
+
+#include "core/error.h"
+#include "core/key.h"
+#include "core/solid.h"
+#include "net/net.h"
+#include "solve/problem.h"
+
+/* What a constraint is put on. */
+typedef struct lam_scope {
+  lam_problem *problem;
+  const lam_net *net;        /* connectivity; positions are those of problem->x */
+  double unit;               /* metres per solver unit */
+  const lam_tree *reference; /* NULL: none */
+  const lam_trimesh *reference_mesh; /* in solver units */
+  lam_errors *errors;
+  long skipped;              /* out: irregular vertices that a constraint on regular stars left out */
+} lam_scope;
+
+typedef struct lam_constraint_kind {
+  lam_row_head head;
+  /* Adds the blocks. params: the struct of head.keys, or NULL when it has none. weight multiplies the residuals. On wrong input
+   * adds to scope->errors. */
+  void (*add)(lam_scope *scope, const void *params, double weight, lam_place place);
+} lam_constraint_kind;
+
+extern const lam_registry lam_constraints;
+
+/* The kinds, for nets that are made of them. */
+extern const lam_constraint_kind lam_con_planar_star, lam_con_planar_face, lam_con_orthogonal, lam_con_angle,
+    lam_con_fairness, lam_con_closeness, lam_con_handle, lam_con_proximity, lam_con_edge_length,
+    lam_con_boundary_length, lam_con_glide;
+
+typedef struct lam_angle_params {
+  double angle;
+} lam_angle_params;
+typedef struct lam_edge_length_params {
+  double length; /* metres; 0: every edge keeps its length at the start */
+  bool boundary_only;
+} lam_edge_length_params;
+typedef enum lam_fair { LAM_FAIR_POSITION, LAM_FAIR_DISPLACEMENT } lam_fair;
+extern const char *const lam_fairness_choices[]; /* names of lam_fair, NULL-terminated */
+typedef struct lam_fairness_params {
+  int of; /* lam_fair */
+} lam_fairness_params;
+typedef struct lam_handle_params {
+  int vertex[2];   /* grid position, or {index, -1} */
+  double to[3];    /* metres */
+} lam_handle_params;
+
+/* Elements of all regular stars: nodes center, +u, +v, -u, -v (5 each). Counts irregular vertices in scope->skipped. */
+int lam_scope_stars(lam_scope *scope, const int **nodes);
+/* A closeness block of chosen vertices to chosen targets (solver units). */
+void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double weight, int count, const int *vertices,
+                       const lam_vec3 *targets);
+/* Edges of the length that params ask for. */
+void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, double weight, lam_edge_length_params params);
+/* Vertices glide on straight lines through point along direction (solver units). */
+void lam_glide_add(lam_scope *scope, double weight, int count, const int *vertices, const lam_vec3 *points,
+                   const lam_vec3 *directions);
+
+#endif

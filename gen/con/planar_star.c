@@ -1,0 +1,119 @@
+#include "con/constraint.h"
+#include "con/kernel.h"
+
+/* Planar vertex star (asymptotic net, thesis 3.3).
+ *   N = unit((e1 - e3) x (e2 - e4)),  e_k = (v_k - v) / |v_k - v|
+ *   r1 = N . e1,  r2 = N . e2                         (dimensionless)
+ * N is orthogonal to e1 - e3 and e2 - e4, so N.e3 = r1 and N.e4 = r2: two equations make all five vertices coplanar.
+ * With M = (e1 - e3) x (e2 - e4) and g = (c - N (N.c)) / |M|:  dr/da = b x g, dr/db = g x a, dr/dc = N for r = N.c. */
+static void planar_star(int n, const double *x, const double *p, double *r, double *J) {
+  (void)p;
+  lam_vec3 v = lam_local(x, 0), e[4];
+  double length[4];
+  for (int k = 0; k < 4; k++) {
+    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
+    length[k] = lam_length(E);
+    e[k] = lam_scale(E, 1 / length[k]);
+  }
+  lam_vec3 a = lam_sub(e[0], e[2]), b = lam_sub(e[1], e[3]), M = lam_cross(a, b);
+  double size = lam_length(M);
+  lam_vec3 N = lam_scale(M, 1 / size);
+  for (int i = 0; i < 2; i++) {
+    r[i] = lam_dot(N, e[i]);
+    if (!J) continue;
+    double *row = J + i * n;
+    for (int c = 0; c < n; c++) row[c] = 0;
+    lam_vec3 g = lam_scale(lam_along(e[i], -r[i], N), 1 / size);
+    lam_vec3 da = lam_cross(b, g), db = lam_cross(g, a);
+    lam_vec3 de[4] = {da, db, lam_scale(da, -1), lam_scale(db, -1)};
+    de[i] = lam_add(de[i], N);
+    for (int k = 0; k < 4; k++) {
+      lam_vec3 dE = lam_unit_pullback(e[k], length[k], de[k]);
+      lam_add_to(row, k + 1, dE);
+      lam_add_to(row, 0, lam_scale(dE, -1));
+    }
+  }
+}
+
+/* A star of any valence m: with S = sum e_k x e_(k+1) and N = S / |S|, r_k = N . e_k. Nodes: center, then the ring. */
+enum { most_valence = 12 };
+
+static void planar_fan(int n, const double *x, const double *p, double *r, double *J) {
+  (void)p;
+  int m = n / 3 - 1;
+  lam_vec3 v = lam_local(x, 0), e[most_valence], S = {0, 0, 0};
+  double length[most_valence];
+  for (int k = 0; k < m; k++) {
+    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
+    length[k] = lam_length(E);
+    e[k] = lam_scale(E, 1 / length[k]);
+  }
+  for (int k = 0; k < m; k++) S = lam_add(S, lam_cross(e[k], e[(k + 1) % m]));
+  double size = lam_length(S);
+  lam_vec3 N = lam_scale(S, 1 / size);
+  for (int i = 0; i < m; i++) {
+    r[i] = lam_dot(N, e[i]);
+    if (!J) continue;
+    double *row = J + i * n;
+    for (int c = 0; c < n; c++) row[c] = 0;
+    lam_vec3 g = lam_scale(lam_along(e[i], -r[i], N), 1 / size);
+    for (int k = 0; k < m; k++) {
+      /* S contains e_(k-1) x e_k + e_k x e_(k+1): dS.g = de_k . ((e_(k+1) - e_(k-1)) x g) */
+      lam_vec3 de = lam_cross(lam_sub(e[(k + 1) % m], e[(k + m - 1) % m]), g);
+      if (k == i) de = lam_add(de, N);
+      lam_vec3 dE = lam_unit_pullback(e[k], length[k], de);
+      lam_add_to(row, k + 1, dE);
+      lam_add_to(row, 0, lam_scale(dE, -1));
+    }
+  }
+}
+
+static void add_fans(lam_scope *scope, double weight) {
+  const lam_net *net = scope->net;
+  for (int valence = 3; valence <= most_valence; valence++) {
+    int count = 0, *nodes = NULL;
+    for (int pass = 0; pass < 2; pass++) {
+      if (pass) nodes = LAM_NEW(scope->problem->arena, int, count * (valence + 1));
+      count = 0;
+      for (int v = 0; valence != 4 && v < net->mesh.vertex_count; v++) {
+        if (net->boundary[v] || net->ring_start[v + 1] - net->ring_start[v] != valence) continue;
+        if (nodes) {
+          nodes[count * (valence + 1)] = v;
+          for (int k = 0; k < valence; k++) nodes[count * (valence + 1) + 1 + k] = net->ring[net->ring_start[v] + k];
+        }
+        count++;
+      }
+    }
+    lam_problem_add(scope->problem, (lam_block){.name = "planar-star",
+                                                .kernel = planar_fan,
+                                                .rows = valence,
+                                                .weight = weight,
+                                                .count = count,
+                                                .arity = valence + 1,
+                                                .nodes = nodes});
+  }
+}
+
+static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+  (void)params, (void)place;
+  const int *nodes;
+  long skipped = scope->skipped;
+  int count = lam_scope_stars(scope, &nodes);
+  scope->skipped = skipped; /* irregular stars are handled below */
+  lam_problem_add(scope->problem, (lam_block){.name = "planar-star",
+                                              .kernel = planar_star,
+                                              .rows = 2,
+                                              .weight = weight,
+                                              .count = count,
+                                              .arity = 5,
+                                              .nodes = nodes});
+  add_fans(scope, weight);
+}
+
+const lam_constraint_kind lam_con_planar_star = {
+    {"planar-star", "Planar vertex stars",
+     "Every interior vertex lies in one plane with its neighbors: the polylines then follow asymptotic curves, and strips "
+     "normal to the net unroll straight. Possible only where the surface is saddle-shaped (K < 0); on a dome the only "
+     "solution is a plane. Vertices of any valence take part.",
+     "N.e1 = N.e2 = 0, N = unit((e1 - e3) x (e2 - e4))", "thesis 3.3", NULL, 0},
+    add};

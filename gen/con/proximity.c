@@ -1,0 +1,66 @@
+#include "con/constraint.h"
+#include "con/kernel.h"
+
+/* Nearness to a reference surface: the distance to the tangent plane at the closest point (thesis 3.7; closest points on
+ * triangles, found anew every iteration).  r = n.(v - P);  p = P, n */
+static void to_plane(int n, const double *x, const double *p, double *r, double *J) {
+  (void)n;
+  r[0] = p[3] * (x[0] - p[0]) + p[4] * (x[1] - p[1]) + p[5] * (x[2] - p[2]);
+  if (!J) return;
+  for (int c = 0; c < 3; c++) J[c] = p[3 + c];
+}
+
+typedef struct surface_context {
+  const lam_tree *tree;
+  const lam_trimesh *mesh;
+} surface_context;
+
+static void project(struct lam_block *block, const double *x, const int *offset, void *context) {
+  const surface_context *surface = context;
+  for (int i = 0; i < block->count; i++) {
+    lam_vec3 v = lam_local(x + offset[block->nodes[i]], 0), foot;
+    int triangle;
+    lam_tree_closest(surface->tree, v, &foot, &triangle);
+    const int *t = surface->mesh->triangles[triangle];
+    lam_vec3 a = surface->mesh->vertices[t[0]];
+    lam_vec3 normal = lam_unit(lam_cross(lam_sub(surface->mesh->vertices[t[1]], a), lam_sub(surface->mesh->vertices[t[2]], a)));
+    lam_vec3 away = lam_sub(v, foot);
+    /* off the triangle's plane, the direction to the foot is the better normal: it serves edges and borders too */
+    if (lam_length(away) > 1e-9) normal = lam_unit(away);
+    double *p = block->params + 6 * i;
+    p[0] = foot.x, p[1] = foot.y, p[2] = foot.z;
+    p[3] = normal.x, p[4] = normal.y, p[5] = normal.z;
+  }
+}
+
+static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+  (void)params;
+  if (!scope->reference) {
+    lam_error_add(scope->errors, place, "proximity", "no reference is given; expected net.reference: {file: ...}");
+    return;
+  }
+  lam_arena *arena = scope->problem->arena;
+  int n = scope->net->mesh.vertex_count, *vertices = LAM_NEW(arena, int, n);
+  for (int v = 0; v < n; v++) vertices[v] = v;
+  surface_context *context = LAM_NEW(arena, surface_context, 1);
+  *context = (surface_context){scope->reference, scope->reference_mesh};
+  lam_problem_add(scope->problem, (lam_block){.name = "proximity",
+                                              .kernel = to_plane,
+                                              .rows = 1,
+                                              .role = LAM_SOFT,
+                                              .weight = weight,
+                                              .count = n,
+                                              .arity = 1,
+                                              .nodes = vertices,
+                                              .param_count = 6,
+                                              .params = LAM_NEW(arena, double, 6 * n),
+                                              .update = project,
+                                              .context = context});
+}
+
+const lam_constraint_kind lam_con_proximity = {
+    {"proximity", "Nearness to a reference",
+     "Pulls the net onto a reference mesh while it may slide along it. Closest points are found on triangles, anew in every "
+     "iteration. Pin something: fairness slides a free net tangentially.",
+     "n.(v - P) -> small, P the closest point and n its normal", "thesis 3.7", NULL, 0},
+    add};

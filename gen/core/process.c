@@ -1,0 +1,172 @@
+#include "core/process.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+extern char **environ;
+
+static const lam_place nowhere;
+
+/* ---- finding the program ---- */
+
+static bool is_program(const char *path) {
+  struct stat facts;
+  return stat(path, &facts) == 0 && S_ISREG(facts.st_mode) && access(path, X_OK) == 0;
+}
+
+bool lam_process_exists(const char *program) {
+  if (strchr(program, '/')) return is_program(program);
+  const char *path = getenv("PATH");
+  while (path && *program) {
+    size_t length = strcspn(path, ":");
+    char candidate[PATH_MAX];
+    int written = snprintf(candidate, sizeof candidate, "%.*s/%s", (int)length, length ? path : ".", program);
+    if (length == 0) written = snprintf(candidate, sizeof candidate, "./%s", program);
+    if (written > 0 && (size_t)written < sizeof candidate && is_program(candidate)) return true;
+    path = path[length] ? path + length + 1 : NULL;
+  }
+  return false;
+}
+
+static lam_status report_missing(const lam_process *process, lam_errors *errors) {
+  const char *program = process->arguments[0];
+  if (process->package) {
+    lam_error_add(errors, nowhere, NULL, "%s is not installed (Debian package %s)", program, process->package);
+  } else {
+    lam_error_add(errors, nowhere, NULL, "%s is not installed", program);
+  }
+  return LAM_MISSING_PROGRAM;
+}
+
+/* ---- environment ---- */
+
+static bool same_name(const char *a, const char *b) {
+  size_t length = strcspn(a, "=");
+  return strncmp(a, b, length) == 0 && b[length] == '=';
+}
+
+/* The environment of this process with the additions, which replace variables of the same name. */
+static char **merge_environment(lam_arena *arena, const char *const *additions) {
+  size_t own = 0, more = 0, count = 0;
+  while (environ[own]) own++;
+  while (additions && additions[more]) more++;
+  char **merged = LAM_NEW(arena, char *, own + more + 1);
+  for (size_t i = 0; i < own; i++) {
+    bool replaced = false;
+    for (size_t k = 0; k < more; k++) replaced |= same_name(additions[k], environ[i]);
+    if (!replaced) merged[count++] = environ[i];
+  }
+  for (size_t k = 0; k < more; k++) merged[count++] = lam_arena_copy(arena, additions[k]);
+  return merged;
+}
+
+/* ---- running ---- */
+
+static double now(void) {
+  struct timespec time;
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* Starts the program with its stdout and stderr on pipe_end. Returns 0 or an error number. It leads a process group of its
+ * own, so that a timeout ends what it started too. */
+static int start(const lam_process *process, char **environment, int pipe_end, pid_t *pid) {
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (process->output_path) {
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, process->output_path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  } else {
+    posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
+  }
+  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
+  if (process->directory) posix_spawn_file_actions_addchdir_np(&actions, process->directory);
+  int error =
+      posix_spawnp(pid, process->arguments[0], &actions, &attributes, (char *const *)process->arguments, environment);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  return error;
+}
+
+/* Collects what comes through the pipe until its end. False when the time is up. */
+static bool collect(int pipe_end, double deadline, lam_text *output) {
+  char bytes[4096];
+  for (;;) {
+    int wait_ms = -1;
+    if (deadline > 0) {
+      double left = deadline - now();
+      if (left <= 0) return false;
+      wait_ms = left > 1e6 ? 1000000000 : (int)(left * 1000) + 1;
+    }
+    struct pollfd ready = {.fd = pipe_end, .events = POLLIN};
+    int found = poll(&ready, 1, wait_ms);
+    if (found < 0 && errno != EINTR) return true;
+    if (found <= 0) continue;
+    ssize_t count = read(pipe_end, bytes, sizeof bytes);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return true;
+    if (output) lam_text_bytes(output, bytes, (size_t)count);
+  }
+}
+
+/* Waits for the end of pid. False when the time is up (a program may close its output long before it ends). */
+static bool wait_for(pid_t pid, double deadline, int *status) {
+  for (;;) {
+    pid_t ended = waitpid(pid, status, deadline > 0 ? WNOHANG : 0);
+    if (ended == pid || (ended < 0 && errno != EINTR)) return true;
+    if (ended == 0) {
+      if (now() >= deadline) return false;
+      nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
+    }
+  }
+}
+
+lam_status lam_process_run(const lam_process *process, int *exit_code, lam_errors *errors) {
+  const char *program = process->arguments[0];
+  if (!lam_process_exists(program)) return report_missing(process, errors);
+  struct stat facts;
+  if (process->directory && (stat(process->directory, &facts) != 0 || !S_ISDIR(facts.st_mode))) {
+    lam_error_add(errors, nowhere, NULL, "%s: no such folder to run %s in", process->directory, program);
+    return LAM_IO;
+  }
+  char **environment = merge_environment(errors->arena, process->environment);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) {
+    lam_error_add(errors, nowhere, NULL, "%s: cannot be started: %s", program, strerror(errno));
+    return LAM_IO;
+  }
+  pid_t pid;
+  int error = start(process, environment, ends[1], &pid);
+  close(ends[1]);
+  if (error) {
+    close(ends[0]);
+    lam_error_add(errors, nowhere, NULL, "%s: cannot be started: %s", program, strerror(error));
+    return LAM_IO;
+  }
+  double deadline = process->timeout > 0 ? now() + process->timeout : 0;
+  int status = 0;
+  bool ended = collect(ends[0], deadline, process->output) && wait_for(pid, deadline, &status);
+  close(ends[0]);
+  if (!ended) {
+    kill(-pid, SIGKILL);
+    wait_for(pid, 0, &status);
+    lam_error_add(errors, nowhere, NULL, "%s: stopped after %g s", program, process->timeout);
+    return LAM_FAILED;
+  }
+  if (exit_code) *exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return LAM_OK;
+}

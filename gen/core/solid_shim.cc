@@ -1,0 +1,624 @@
+/* CGAL behind a C face. One kernel: exact predicates; constructed points are rounded to double. Needs -frounding-math.
+ * Nothing here allocates from an arena or lets an exception out. */
+#include "core/solid.h"
+
+#include "core/solid_exact.h"
+#include "core/topology.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Triangle = Kernel::Triangle_3;
+using Segment = Kernel::Segment_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using CGAL::Bbox_3;
+
+/* CGAL reports a broken precondition through a handler that prints; here the exception says enough. */
+const CGAL::Failure_function previous_handler =
+    CGAL::set_error_handler([](const char *, const char *, const char *, int, const char *) {});
+
+/* Runs what may throw. */
+template <class Function> lam_status guarded(Function function) {
+  try {
+    return function();
+  } catch (const std::bad_alloc &) {
+    return LAM_NO_MEMORY;
+  } catch (...) {
+    return LAM_FAILED;
+  }
+}
+
+Point point(lam_vec3 p) { return Point(p.x, p.y, p.z); }
+
+/* ---- triangles in a search tree ---- */
+
+/* Points and triangles; the tree refers to them, so a Soup stays where it is made. */
+struct Soup {
+  std::vector<Point> points;
+  std::vector<std::array<int, 3>> triangles;
+
+  Triangle triangle(int i) const {
+    const auto &t = triangles[i];
+    return Triangle(points[t[0]], points[t[1]], points[t[2]]);
+  }
+  Bbox_3 box(int i) const {
+    const auto &t = triangles[i];
+    return points[t[0]].bbox() + points[t[1]].bbox() + points[t[2]].bbox();
+  }
+  bool flat(int i) const {
+    const auto &t = triangles[i];
+    return CGAL::collinear(points[t[0]], points[t[1]], points[t[2]]);
+  }
+};
+
+/* A triangle of a Soup, made when it is asked for. */
+struct Primitive {
+  using Id = int;
+  using Point = Kernel::Point_3;
+  using Datum = Triangle;
+  const Soup *soup = nullptr;
+  int index = -1;
+  Primitive() = default;
+  Primitive(const Soup *soup_, int index_) : soup(soup_), index(index_) {}
+  explicit Primitive(std::vector<Primitive>::const_iterator other) : Primitive(*other) {}
+  Id id() const { return index; }
+  Datum datum() const { return soup->triangle(index); }
+  Point reference_point() const { return soup->points[soup->triangles[index][0]]; }
+};
+
+using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+using Tree = CGAL::AABB_tree<Traits>;
+using Node = CGAL::AABB_node<Traits>;
+
+/* Triangles without area are left out: their points belong to their neighbors too. */
+void build(Tree &tree, const Soup &soup) {
+  std::vector<Primitive> primitives;
+  primitives.reserve(soup.triangles.size());
+  for (int i = 0; i < (int)soup.triangles.size(); i++)
+    if (!soup.flat(i)) primitives.emplace_back(&soup, i);
+  tree.insert(primitives.cbegin(), primitives.cend());
+  tree.build();
+}
+
+/* ---- do the surfaces of two trees meet? ---- */
+
+/* A walk down a tree, guided by boxes; triangles that are reached are tested exactly. */
+struct Meets_triangle {
+  Triangle triangle;
+  Bbox_3 box;
+  bool found = false;
+  bool go_further() const { return !found; }
+  void intersection(int, const Primitive &p) {
+    found = CGAL::do_overlap(box, p.soup->box(p.index)) && CGAL::do_intersect(triangle, p.datum());
+  }
+  bool do_intersect(int, const Node &node) const { return CGAL::do_overlap(box, node.bbox()); }
+};
+
+struct Meets_box {
+  Bbox_3 box;
+  bool found = false;
+  bool go_further() const { return !found; }
+  void intersection(int, const Primitive &p) { found = CGAL::do_overlap(box, p.soup->box(p.index)); }
+  bool do_intersect(int, const Node &node) const { return CGAL::do_overlap(box, node.bbox()); }
+};
+
+/* A walk down one tree, asking the other. */
+struct Meets_tree {
+  const Tree &other;
+  bool found = false;
+  bool go_further() const { return !found; }
+  void intersection(int, const Primitive &p) {
+    Meets_triangle walk{p.datum(), p.soup->box(p.index)};
+    other.traversal(0, walk);
+    found = walk.found;
+  }
+  bool do_intersect(int, const Node &node) const {
+    Meets_box walk{node.bbox()};
+    other.traversal(0, walk);
+    return walk.found;
+  }
+};
+
+bool surfaces_meet(const Tree &a, const Tree &b) {
+  Meets_tree walk{b};
+  a.traversal(0, walk);
+  return walk.found;
+}
+
+/* ---- self-intersections ---- */
+
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+
+std::vector<Box> boxes_of(const Soup &soup) {
+  std::vector<Box> boxes;
+  boxes.reserve(soup.triangles.size());
+  for (int i = 0; i < (int)soup.triangles.size(); i++)
+    if (!soup.flat(i)) boxes.emplace_back(soup.box(i), i);
+  return boxes;
+}
+
+/* Two triangles meet outside what they share. With a common edge they do when they are coplanar and lie on the same
+ * side of it; with a common vertex, when the edge opposite to it of one meets the other: whoever walks away from the
+ * vertex inside both leaves one of them through that edge. */
+bool meet_improperly(const Soup &soup, int i, int j) {
+  std::array<int, 3> s = soup.triangles[i], t = soup.triangles[j];
+  int common = 0;
+  for (int k = 0; k < 3; k++)
+    for (int l = common; l < 3; l++)
+      if (s[k] == t[l]) {
+        std::swap(s[k], s[common]);
+        std::swap(t[l], t[common]);
+        common++;
+        break;
+      }
+  const auto &p = soup.points;
+  switch (common) {
+  case 0:
+    return CGAL::do_intersect(soup.triangle(i), soup.triangle(j));
+  case 1:
+    return CGAL::do_intersect(soup.triangle(i), Segment(p[t[1]], p[t[2]])) ||
+           CGAL::do_intersect(soup.triangle(j), Segment(p[s[1]], p[s[2]]));
+  case 2:
+    return CGAL::coplanar(p[s[0]], p[s[1]], p[s[2]], p[t[2]]) &&
+           CGAL::coplanar_orientation(p[s[0]], p[s[1]], p[s[2]], p[t[2]]) == CGAL::POSITIVE;
+  default:
+    return true;
+  }
+}
+
+/* ---- closed surfaces ---- */
+
+/* A component of a solid, turned so that its outside is outside; sign is -1 for a cavity. Its vertices are split into
+ * fans, which makes it a manifold. A solid is the sum of its components with their signs. */
+struct Component {
+  Soup soup;
+  Tree tree;
+  Bbox_3 box;
+  double volume = 0;
+  int sign = 1;
+};
+
+double corner_volume(const Point &o, const Point &a, const Point &b, const Point &c) {
+  return (a - o) * CGAL::cross_product(b - o, c - o) / 6;
+}
+
+void finish(Component &component) {
+  Soup &soup = component.soup;
+  for (const Point &p : soup.points) component.box += p.bbox();
+  for (const auto &t : soup.triangles)
+    component.volume += corner_volume(soup.points[0], soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+  if (component.volume < 0) {
+    component.sign = -1;
+    component.volume = -component.volume;
+    for (auto &t : soup.triangles) std::swap(t[1], t[2]);
+  }
+  component.tree.do_not_accelerate_distance_queries();
+  build(component.tree, soup);
+}
+
+Mesh surface_of(const Soup &soup) {
+  Mesh mesh;
+  mesh.reserve(soup.points.size(), soup.triangles.size() * 3 / 2, soup.triangles.size());
+  for (const Point &p : soup.points) mesh.add_vertex(p);
+  for (const auto &t : soup.triangles)
+    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  return mesh;
+}
+
+double volume_of(const Mesh &mesh) {
+  double sum = 0;
+  if (mesh.number_of_faces() == 0) return 0;
+  const Point origin = mesh.point(*mesh.vertices().begin());
+  for (auto f : mesh.faces()) {
+    auto h = mesh.halfedge(f);
+    sum += corner_volume(origin, mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                         mesh.point(mesh.target(mesh.next(h))));
+  }
+  return sum;
+}
+
+/* ---- the volume of an intersection without a mesh of it ---- */
+
+struct Plan_point {
+  double x, y, above, below; /* heights of the two triangles */
+};
+
+/* The part of a convex polygon where value >= 0, value being linear. */
+template <class Value> void clip(std::vector<Plan_point> &polygon, Value value) {
+  std::vector<Plan_point> kept;
+  for (size_t i = 0; i < polygon.size(); i++) {
+    const Plan_point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    double u = value(p), v = value(q);
+    if (u >= 0) kept.push_back(p);
+    if ((u > 0 && v < 0) || (u < 0 && v > 0)) {
+      double t = u / (u - v);
+      kept.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.above + t * (q.above - p.above),
+                      p.below + t * (q.below - p.below)});
+    }
+  }
+  polygon.swap(kept);
+}
+
+/* The integral of the height `below` over a convex polygon. */
+double integral(const std::vector<Plan_point> &p) {
+  double sum = 0;
+  for (size_t i = 2; i < p.size(); i++) {
+    double doubled = (p[i - 1].x - p[0].x) * (p[i].y - p[0].y) - (p[i].x - p[0].x) * (p[i - 1].y - p[0].y);
+    sum += doubled / 6 * (p[0].below + p[i - 1].below + p[i].below);
+  }
+  return sum;
+}
+
+/* A triangle seen from above: counterclockwise, relative to an origin; sign says whether it was turned over. */
+struct Shadow {
+  double x[3], y[3], z[3];
+  int sign;
+  Shadow(const Triangle &t, const Point &o) {
+    for (int k = 0; k < 3; k++) {
+      x[k] = t[k].x() - o.x();
+      y[k] = t[k].y() - o.y();
+      z[k] = t[k].z() - o.z();
+    }
+    double doubled = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    sign = (doubled > 0) - (doubled < 0);
+    if (sign < 0) {
+      std::swap(x[1], x[2]);
+      std::swap(y[1], y[2]);
+      std::swap(z[1], z[2]);
+    }
+  }
+  double height(double px, double py) const {
+    double doubled = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    double u = ((px - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (py - y[0])) / doubled;
+    double v = ((x[1] - x[0]) * (py - y[0]) - (px - x[0]) * (y[1] - y[0])) / doubled;
+    double h = z[0] + u * (z[1] - z[0]) + v * (z[2] - z[0]);
+    return std::min(std::max(h, std::min({z[0], z[1], z[2]})), std::max({z[0], z[1], z[2]}));
+  }
+};
+
+/* Integral of min(height of s, height of t) over the plan area that both cover. */
+double common_prism(const Shadow &s, const Shadow &t) {
+  std::vector<Plan_point> polygon;
+  for (int k = 0; k < 3; k++) polygon.push_back({s.x[k], s.y[k], s.z[k], 0});
+  for (int k = 0; k < 3; k++) {
+    int l = (k + 1) % 3;
+    clip(polygon, [&](const Plan_point &p) {
+      return (t.x[l] - t.x[k]) * (p.y - t.y[k]) - (p.x - t.x[k]) * (t.y[l] - t.y[k]);
+    });
+  }
+  if (polygon.size() < 3) return 0;
+  for (auto &p : polygon) p.below = t.height(p.x, p.y);
+  auto swapped = polygon;
+  for (auto &p : swapped) std::swap(p.above, p.below);
+  clip(polygon, [](const Plan_point &p) { return p.above - p.below; });
+  clip(swapped, [](const Plan_point &p) { return p.above - p.below; });
+  return integral(polygon) + integral(swapped);
+}
+
+/* A closed surface is the signed sum of the prisms below its triangles, so the volume common to two of them is
+ *   sum over pairs of triangles of sign sign' integral of min(height, height').
+ * It needs nothing of the surfaces but that they are closed; a place that a surface winds around more than once counts
+ * as often. Rounding noise is cut. */
+double prism_volume(const Component &a, const Component &b) {
+  const Point origin((std::max(a.box.xmin(), b.box.xmin()) + std::min(a.box.xmax(), b.box.xmax())) / 2,
+                     (std::max(a.box.ymin(), b.box.ymin()) + std::min(a.box.ymax(), b.box.ymax())) / 2,
+                     (std::max(a.box.zmin(), b.box.zmin()) + std::min(a.box.zmax(), b.box.zmax())) / 2);
+  auto plan_boxes = [&](const Component &c) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < (int)c.soup.triangles.size(); i++) {
+      Bbox_3 q = c.soup.box(i);
+      boxes.emplace_back(Bbox_3(q.xmin(), q.ymin(), 0, q.xmax(), q.ymax(), 0), i);
+    }
+    return boxes;
+  };
+  std::vector<Box> first = plan_boxes(a), second = plan_boxes(b);
+  std::vector<std::pair<int, int>> pairs;
+  CGAL::box_intersection_d(first.begin(), first.end(), second.begin(), second.end(),
+                           [&](const Box &p, const Box &q) { pairs.emplace_back(p.info(), q.info()); });
+  std::sort(pairs.begin(), pairs.end());
+  double sum = 0, size = 0;
+  for (auto [i, j] : pairs) {
+    Shadow s(a.soup.triangle(i), origin), t(b.soup.triangle(j), origin);
+    if (s.sign == 0 || t.sign == 0) continue;
+    double term = common_prism(s, t);
+    sum += s.sign * t.sign * term;
+    size += std::fabs(term);
+  }
+  return std::fabs(sum) < 1e-13 * size ? 0 : sum;
+}
+
+/* ---- overlaps ---- */
+
+/* A walk that counts the triangles which a segment passes through; unsure when it touches an edge. */
+struct Crossings {
+  Point from, to;
+  Bbox_3 box;
+  int count = 0;
+  bool unsure = false;
+  bool go_further() const { return !unsure; }
+  void intersection(int, const Primitive &p) {
+    const Triangle t = p.datum();
+    if (!CGAL::do_overlap(box, p.soup->box(p.index)) || !CGAL::do_intersect(t, Segment(from, to))) return;
+    for (int k = 0; k < 3; k++) unsure = unsure || CGAL::coplanar(from, to, t[k], t[(k + 1) % 3]);
+    count++;
+  }
+  bool do_intersect(int, const Node &node) const { return CGAL::do_overlap(box, node.bbox()); }
+};
+
+/* A steep segment from p to a place above the surface passes through it an odd number of times when p is inside. p is
+ * not on the surface. When a segment touches an edge, one that leans a little more is tried. */
+bool is_inside(const Component &component, const Point &p) {
+  const Bbox_3 &b = component.box;
+  if (!CGAL::do_overlap(b, p.bbox())) return false;
+  const double height = b.zmax() - b.zmin();
+  for (int attempt = 1; attempt < 100; attempt++) {
+    const double lean = 1e-3 * attempt * height;
+    const Point top(p.x() + lean, p.y() + 0.618 * lean, b.zmax() + height);
+    Crossings walk{p, top, p.bbox() + top.bbox()};
+    component.tree.traversal(0, walk);
+    if (!walk.unsure) return walk.count % 2 == 1;
+  }
+  throw std::runtime_error("no segment avoids all edges");
+}
+
+/* Corefinement gives the exact boolean intersection, rounded at the end. It refuses where the result would not be a
+ * manifold and where a surface cuts itself: the sum over prisms answers there. */
+double meeting_volume(const Component &a, const Component &b) {
+  double most = std::min(a.volume, b.volume);
+  try {
+    Mesh first = surface_of(a.soup), second = surface_of(b.soup), common;
+    if (PMP::corefine_and_compute_intersection(first, second, common,
+                                               CGAL::parameters::throw_on_self_intersection(true))) {
+      double volume = volume_of(common);
+      if (volume >= 0 && volume <= most * (1 + 1e-9)) return volume;
+    }
+  } catch (const std::bad_alloc &) {
+    throw;
+  } catch (const std::exception &) {
+  }
+  return std::min(std::max(prism_volume(a, b), 0.0), most);
+}
+
+double common_volume(const Component &a, const Component &b) {
+  if (!CGAL::do_overlap(a.box, b.box)) return 0;
+  if (surfaces_meet(a.tree, b.tree)) return meeting_volume(a, b);
+  if (is_inside(a, b.soup.points[0])) return b.volume;
+  if (is_inside(b, a.soup.points[0])) return a.volume;
+  return 0;
+}
+
+struct Solid {
+  std::vector<std::unique_ptr<Component>> components;
+  Bbox_3 box;
+};
+
+Point placed(lam_vec3 p, const lam_frame *frame) {
+  if (!frame) return point(p);
+  lam_vec3 q = lam_along(frame->origin, p.x, frame->axis[0]);
+  return point(lam_along(lam_along(q, p.y, frame->axis[1]), p.z, frame->axis[2]));
+}
+
+/* The components of a closed, oriented mesh; empty when it is not. */
+Solid solid_of(const lam_trimesh &mesh, const lam_frame *frame) {
+  std::vector<int> component(mesh.triangle_count);
+  std::vector<std::array<int, 3>> fan(mesh.triangle_count);
+  lam_topology topology;
+  lam_status status =
+      lam_topology_make(&mesh, component.data(), reinterpret_cast<int(*)[3]>(fan.data()), &topology);
+  if (status == LAM_NO_MEMORY) throw std::bad_alloc();
+  Solid solid;
+  if (status != LAM_OK || topology.boundary_edges || !topology.oriented || !mesh.triangle_count) return solid;
+  for (int c = 0; c < topology.components; c++) solid.components.push_back(std::make_unique<Component>());
+  std::vector<int> number(topology.fans, -1);
+  bool mirrors = frame && lam_dot(frame->axis[0], lam_cross(frame->axis[1], frame->axis[2])) < 0;
+  for (int i = 0; i < mesh.triangle_count; i++) {
+    Soup &soup = solid.components[component[i]]->soup;
+    std::array<int, 3> t;
+    for (int k = 0; k < 3; k++) {
+      int &n = number[fan[i][k]];
+      if (n < 0) {
+        n = (int)soup.points.size();
+        soup.points.push_back(placed(mesh.vertices[mesh.triangles[i][k]], frame));
+      }
+      t[k] = n;
+    }
+    if (mirrors) std::swap(t[1], t[2]);
+    soup.triangles.push_back(t);
+  }
+  double volume = 0;
+  for (auto &one : solid.components) {
+    finish(*one);
+    solid.box += one->box;
+    volume += one->sign * one->volume;
+  }
+  if (!(volume > 0)) solid.components.clear();
+  return solid;
+}
+
+/* ---- distances ---- */
+
+struct Distance {
+  const Tree &tree;
+  double worst = 0; /* squared */
+  Point hint;
+  explicit Distance(const Tree &t) : tree(t), hint(t.any_reference_point_and_id().first) {}
+  void sample(const Point &p) {
+    hint = tree.closest_point(p, hint);
+    worst = std::max(worst, CGAL::squared_distance(p, hint));
+  }
+  /* Rows parallel to the longest edge, from it to the opposite corner. */
+  void sample(const Triangle &t, double spacing) {
+    int k = 0;
+    for (int l = 1; l < 3; l++)
+      if (CGAL::squared_distance(t[l], t[(l + 1) % 3]) > CGAL::squared_distance(t[k], t[(k + 1) % 3])) k = l;
+    const Point a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+    double edge = std::sqrt(CGAL::squared_distance(a, b));
+    double height = edge > 0 ? 2 * std::sqrt(t.squared_area()) / edge : 0;
+    double rows = std::max(1.0, std::ceil(height / spacing));
+    for (double r = 0; r <= rows; r++) {
+      const Point p = a + (c - a) * (r / rows), q = b + (c - b) * (r / rows);
+      double steps = std::max(1.0, std::ceil(edge * (1 - r / rows) / spacing));
+      for (double s = 0; s <= (r == rows ? 0 : steps); s++) sample(p + (q - p) * (s / steps));
+    }
+  }
+};
+
+Soup soup_of(const lam_trimesh &mesh) {
+  Soup soup;
+  for (int i = 0; i < mesh.vertex_count; i++) soup.points.push_back(point(mesh.vertices[i]));
+  for (int i = 0; i < mesh.triangle_count; i++)
+    soup.triangles.push_back({mesh.triangles[i][0], mesh.triangles[i][1], mesh.triangles[i][2]});
+  return soup;
+}
+
+bool usable(const lam_trimesh &mesh) {
+  for (int i = 0; i < mesh.vertex_count; i++)
+    if (!std::isfinite(mesh.vertices[i].x) || !std::isfinite(mesh.vertices[i].y) || !std::isfinite(mesh.vertices[i].z))
+      return false;
+  for (int i = 0; i < mesh.triangle_count; i++)
+    for (int v : mesh.triangles[i])
+      if (v < 0 || v >= mesh.vertex_count) return false;
+  return true;
+}
+
+} // namespace
+
+struct lam_tree {
+  Soup soup;
+  Tree tree;
+};
+
+struct lam_solid_set {
+  std::vector<Solid> solids;
+};
+
+extern "C" {
+
+lam_status lam_solid_self_intersections(const lam_trimesh *mesh, long *count) {
+  return guarded([&] {
+    if (!usable(*mesh)) return LAM_BAD_INPUT;
+    const Soup soup = soup_of(*mesh);
+    std::vector<Box> boxes = boxes_of(soup);
+    long found = 0;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
+      found += meet_improperly(soup, a.info(), b.info());
+    });
+    *count = found;
+    return LAM_OK;
+  });
+}
+
+lam_tree *lam_tree_new(const lam_trimesh *mesh) {
+  lam_tree *result = nullptr;
+  guarded([&] {
+    if (!usable(*mesh)) return LAM_BAD_INPUT;
+    auto made = std::make_unique<lam_tree>();
+    made->soup = soup_of(*mesh);
+    build(made->tree, made->soup);
+    if (made->tree.empty()) return LAM_BAD_INPUT;
+    made->tree.accelerate_distance_queries();
+    result = made.release();
+    return LAM_OK;
+  });
+  return result;
+}
+
+void lam_tree_free(void *tree) { delete static_cast<lam_tree *>(tree); }
+
+/* On failure (a query that is not finite), the closest point is the query and the triangle -1. */
+void lam_tree_closest(const lam_tree *tree, lam_vec3 query, lam_vec3 *closest, int *triangle) {
+  *closest = query;
+  *triangle = -1;
+  if (!std::isfinite(query.x) || !std::isfinite(query.y) || !std::isfinite(query.z)) return;
+  guarded([&] {
+    auto found = tree->tree.closest_point_and_primitive(point(query));
+    *closest = lam_v3(found.first.x(), found.first.y(), found.first.z());
+    *triangle = found.second;
+    return LAM_OK;
+  });
+}
+
+lam_solid_set *lam_solid_set_new(void) { return new (std::nothrow) lam_solid_set; }
+void lam_solid_set_free(void *set) { delete static_cast<lam_solid_set *>(set); }
+
+int lam_solid_set_add(lam_solid_set *set, const lam_trimesh *solid, const lam_frame *frame) {
+  int index = -1;
+  guarded([&] {
+    Solid made = solid_of(*solid, frame);
+    if (made.components.empty()) return LAM_BAD_INPUT;
+    set->solids.push_back(std::move(made));
+    index = (int)set->solids.size() - 1;
+    return LAM_OK;
+  });
+  return index;
+}
+
+lam_status lam_solid_set_candidates(const lam_solid_set *set, int (**pairs)[2], int *count) {
+  *pairs = nullptr;
+  *count = 0;
+  return guarded([&] {
+    std::vector<Box> boxes;
+    for (int i = 0; i < (int)set->solids.size(); i++) boxes.emplace_back(set->solids[i].box, i);
+    std::vector<std::array<int, 2>> found;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
+      found.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+    });
+    std::sort(found.begin(), found.end());
+    *pairs = static_cast<int(*)[2]>(std::malloc(std::max<size_t>(1, found.size()) * sizeof **pairs));
+    if (!*pairs) return LAM_NO_MEMORY;
+    for (size_t i = 0; i < found.size(); i++) std::copy(found[i].begin(), found[i].end(), (*pairs)[i]);
+    *count = (int)found.size();
+    return LAM_OK;
+  });
+}
+
+lam_status lam_solid_set_overlap(const lam_solid_set *set, int i, int j, double *volume) {
+  *volume = 0;
+  return guarded([&] {
+    int last = (int)set->solids.size();
+    if (i < 0 || j < 0 || i >= last || j >= last || i == j) return LAM_BAD_INPUT;
+    double sum = 0;
+    for (const auto &a : set->solids[i].components)
+      for (const auto &b : set->solids[j].components) sum += a->sign * b->sign * common_volume(*a, *b);
+    *volume = std::max(sum, 0.0);
+    return LAM_OK;
+  });
+}
+
+lam_status lam_solid_hausdorff(const lam_trimesh *a, const lam_trimesh *b, double spacing, double *a_to_b,
+                               double *b_to_a) {
+  return guarded([&] {
+    if (!usable(*a) || !usable(*b) || !(spacing > 0)) return LAM_BAD_INPUT;
+    const Soup soups[2] = {soup_of(*a), soup_of(*b)};
+    double *const results[2] = {a_to_b, b_to_a};
+    for (int k = 0; k < 2; k++) {
+      Tree tree;
+      build(tree, soups[1 - k]);
+      if (tree.empty()) return LAM_BAD_INPUT;
+      tree.accelerate_distance_queries();
+      Distance distance(tree);
+      for (int i = 0; i < (int)soups[k].triangles.size(); i++) distance.sample(soups[k].triangle(i), spacing);
+      *results[k] = std::sqrt(distance.worst);
+    }
+    return LAM_OK;
+  });
+}
+
+} // extern "C"

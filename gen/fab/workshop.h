@@ -1,0 +1,52 @@
+/* Parts are made in the workshop: a row of the part registry reads the net (and parts made before it) and adds parts,
+ * crossings and measures. One kind of part per file; the list is fab/registry.c. */
+#ifndef LAM_FAB_WORKSHOP_H
+#define LAM_FAB_WORKSHOP_H
+
+#include "core/error.h"
+#include "core/key.h"
+#include "core/material.h"
+#include "core/model.h"
+#include "core/progress.h"
+#include "net/net.h"
+
+/* What a lamella grid offers to later parts. */
+struct lam_lamella_grid; /* fab/lamella.h */
+
+typedef struct lam_workshop {
+  lam_arena *arena;
+  lam_errors *errors; /* for input that only shows to be wrong here, such as a joint wider than its spacing */
+  const lam_progress *progress;
+  const lam_net *net;      /* with final positions in net->mesh.vertices */
+  const lam_vec3 *normals; /* unit, per net vertex */
+  int part_count, part_capacity;
+  lam_part *parts;
+  int crossing_count, crossing_capacity;
+  lam_crossing *crossings;
+  int record_kind_count, record_kind_capacity;
+  lam_record_kind *record_kinds;
+  int stage_count, stage_capacity;
+  lam_stage *stages;                          /* one per row that was made, and one for the checks */
+  const struct lam_lamella_grid *lamella_grid; /* the last one made, or NULL */
+} lam_workshop;
+
+typedef struct lam_part_kind {
+  lam_row_head head;
+  /* Makes the parts. On wrong input adds to workshop->errors and returns. */
+  void (*make)(lam_workshop *workshop, const void *params, lam_place place);
+} lam_part_kind;
+
+extern const lam_registry lam_part_kinds;
+
+/* Appends (arrays grow in the arena; what is passed is copied shallowly). The returned pointer is valid until the next
+ * call. */
+lam_part *lam_workshop_part(lam_workshop *workshop, lam_part part);
+void lam_workshop_crossing(lam_workshop *workshop, lam_crossing crossing);
+void lam_workshop_record_kind(lam_workshop *workshop, lam_record_kind kind);
+lam_stage *lam_workshop_stage(lam_workshop *workshop, const char *name);
+/* Adds a measure to a stage; name and unit are kept by pointer. */
+void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
+                       long count);
+void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+#endif

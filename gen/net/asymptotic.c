@@ -1,0 +1,54 @@
+#include "net/kind.h"
+
+#include <math.h>
+
+typedef struct params {
+  bool orthogonal;
+  double angle;
+  bool angle_given;
+} params;
+
+static const double right_angle = 3.14159265358979323846 / 2;
+
+static void constrain(lam_scope *scope, const void *given, lam_place place) {
+  const params *p = given;
+  lam_con_planar_star.add(scope, NULL, 1, place);
+  if (p->orthogonal && p->angle_given && fabs(p->angle - right_angle) > 1e-12)
+    lam_error_add(scope->errors, place, "net.angle", "%g deg together with orthogonal: yes; expected one of the two",
+                  p->angle * 90 / right_angle);
+  if (p->orthogonal) lam_con_orthogonal.add(scope, NULL, 1, place);
+  else if (p->angle_given) lam_con_angle.add(scope, &(lam_angle_params){p->angle}, 1, place);
+}
+
+static double target_angle(const void *given) {
+  const params *p = given;
+  return p->orthogonal ? right_angle : p->angle_given ? p->angle : NAN;
+}
+
+static const lam_key keys[] = {
+    {.name = "orthogonal", .type = LAM_KEY_FLAG, .offset = offsetof(params, orthogonal), .count = 1, .initial = "no",
+     .doc = "Right angles at every vertex: a discrete minimal surface."},
+    {.name = "angle", .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_ANGLE, .offset = offsetof(params, angle), .count = 1,
+     .initial = "90 deg", .min = 5 * 3.14159265358979323846 / 180, .max = 175 * 3.14159265358979323846 / 180,
+     .given_offset = offsetof(params, angle_given),
+     .doc = "The same crossing angle at every vertex: a constant ratio of the principal curvatures."},
+    {0}};
+
+static const char *const measures[] = {"star_planarity", "angle_deviation", "crossing_angle", "edge_length",
+                                       "shortest_edge",  "foldovers",       "flatness",       NULL};
+
+const lam_net_kind lam_net_asymptotic = {
+    {"asymptotic", "Asymptotic net",
+     "The polylines follow the asymptotic curves of a saddle-shaped surface: every vertex lies in one plane with its four "
+     "neighbors. Strips normal to the net along the polylines have no normal curvature, so they unroll straight and can be cut from "
+     "straight stock: the asymptotic gridshell. With right angles the surface is minimal and all nodes are alike; with another "
+     "constant angle the ratio of the principal curvatures is constant. Exists only where K < 0: a dome can only flatten, "
+     "which is reported as degenerate.",
+     "N.e1 = N.e2 = 0 at every star; T1.T2 = cos(angle)", "thesis 3.3 and 3.2.4",
+     keys, sizeof(params)},
+    LAM_CHART_ASYMPTOTIC,
+    {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
+    {LAM_FAIR_POSITION, .3, 0},
+    constrain,
+    measures,
+    target_angle};

@@ -1,0 +1,18 @@
+#include "net/kind.h"
+
+static void constrain(lam_scope *scope, const void *params, lam_place place) { (void)scope, (void)params, (void)place; }
+
+static const char *const measures[] = {"star_planarity", "face_planarity", "crossing_angle", "edge_length",
+                                       "shortest_edge",  "foldovers",      "flatness",       NULL};
+
+const lam_net_kind lam_net_free = {
+    {"free", "Net of listed constraints",
+     "Has no constraint of its own: it is what its `constraints` list says, and the parameter lines of the surface when the list is "
+     "empty.",
+     NULL, NULL, NULL, 0},
+    LAM_CHART_NATURAL,
+    {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
+    {LAM_FAIR_POSITION, .3, 0},
+    constrain,
+    measures,
+    NULL};

@@ -1,0 +1,74 @@
+/* Kinds of nets: one per file; the list is net/registry.c. A kind says which parameterisation it starts from, which
+ * constraints it is made of, how it is solved, and which independent measures prove it. */
+#ifndef LAM_NET_KIND_H
+#define LAM_NET_KIND_H
+
+#include "con/constraint.h"
+#include "net/measure.h"
+#include "solve/guided.h"
+#include "surf/surface.h"
+
+/* What leads the net while the fairness fades: weights are relative to it, and all of it is gone in the result. */
+typedef struct lam_guide {
+  lam_fair fair;    /* what fairness is put on */
+  double closeness; /* of every vertex to its place at the start */
+  double stiffness; /* of every edge to its length at the start */
+} lam_guide;
+
+typedef struct lam_net_kind {
+  lam_row_head head;
+  lam_chart chart;
+  lam_schedule schedule;                                                  /* default */
+  lam_guide guide;                                                        /* default */
+  void (*constrain)(lam_scope *scope, const void *params, lam_place place); /* adds the hard constraints */
+  const char *const *measures;                                            /* NULL-terminated names (net/measure.h) */
+  double (*target_angle)(const void *params);                             /* NULL: no crossing angle is aimed at */
+} lam_net_kind;
+
+extern const lam_registry lam_nets;
+
+/* ---- keys that every net accepts ---- */
+typedef enum lam_boundary { LAM_BOUNDARY_FREE, LAM_BOUNDARY_FIXED, LAM_BOUNDARY_GLIDE } lam_boundary;
+
+typedef struct lam_net_source {
+  int stage; /* 0: the surface */
+  const char *file;
+} lam_net_source;
+
+typedef struct lam_handle {
+  int vertex[2];
+  double to[3];
+  int steps;
+} lam_handle;
+
+typedef struct lam_reference_keys {
+  const char *file;
+  double weight;
+} lam_reference_keys;
+
+typedef struct lam_solver_keys {
+  double fairness, closeness, stiffness, tolerance;
+  bool fairness_given, closeness_given, stiffness_given, tolerance_given, fair_given;
+  int fair; /* lam_fair */
+  int iterations;
+  bool smooth;
+} lam_solver_keys;
+
+typedef struct lam_net_common {
+  lam_net_source from;
+  int grid[2];
+  int hole;
+  int subdivide;
+  int boundary; /* lam_boundary */
+  lam_list handles;     /* of lam_handle */
+  lam_list constraints; /* of lam_row of lam_constraints */
+  lam_reference_keys reference;
+  bool reference_given;
+  lam_solver_keys solver;
+  double noise;
+  int seed;
+} lam_net_common;
+
+extern const lam_key lam_net_common_keys[];
+
+#endif

@@ -1,0 +1,143 @@
+#include "net/optimize.h"
+#include "net/measure.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double right_angle = 3.14159265358979323846 / 2;
+
+typedef struct attempt {
+  lam_arena *arena;
+  const lam_net_job *job;
+  lam_net *net;
+  lam_errors *errors;
+  double unit;
+  const lam_tree *tree;
+  lam_trimesh reference; /* in solver units */
+  int *handle_vertices;
+} attempt;
+
+static void prepare_reference(attempt *a) {
+  if (!a->job->reference) return;
+  a->reference = *a->job->reference;
+  a->reference.vertices = LAM_NEW(a->arena, lam_vec3, a->reference.vertex_count);
+  for (int v = 0; v < a->reference.vertex_count; v++)
+    a->reference.vertices[v] = lam_scale(a->job->reference->vertices[v], 1 / a->unit);
+  lam_tree *tree = lam_tree_new(&a->reference);
+  if (!tree) lam_error_add(a->errors, a->job->place, "net.reference", "the mesh cannot be searched; it has no valid triangle");
+  else lam_arena_defer(a->arena, lam_tree_free, tree);
+  a->tree = tree;
+}
+
+/* Grid position or index of a handle; -1 with an error when there is no such vertex. */
+static int handle_vertex(const attempt *a, const lam_handle *handle) {
+  int n = a->net->mesh.vertex_count, columns = a->job->common->grid[1] + 1, i = handle->vertex[0], j = handle->vertex[1];
+  bool is_grid = !a->job->common->from.file && n == (a->job->common->grid[0] + 1) * columns;
+  int v = j < 0 ? i : is_grid && j < columns ? i * columns + j : -1;
+  if (v >= 0 && v < n) return v;
+  lam_error_add(a->errors, a->job->place, "net.handles", "vertex [%d, %d] does not exist; expected %s%d vertices", i, j,
+                is_grid ? "a position on the grid, or [index, -1], of " : "[index, -1] of ", n);
+  return -1;
+}
+
+static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scope) {
+  switch ((lam_boundary)a->job->common->boundary) {
+  case LAM_BOUNDARY_FREE: break;
+  case LAM_BOUNDARY_FIXED:
+    for (int v = 0; v < problem->vertex_count; v++) problem->fixed[v] |= a->net->boundary[v];
+    break;
+  case LAM_BOUNDARY_GLIDE: lam_con_glide.add(scope, NULL, 1, a->job->place); break;
+  }
+}
+
+static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *start, double share) {
+  const lam_list *handles = &a->job->common->handles;
+  lam_vec3 *targets = LAM_NEW(a->arena, lam_vec3, handles->count);
+  for (int h = 0; h < handles->count; h++) {
+    const lam_handle *handle = (const lam_handle *)handles->items + h;
+    lam_vec3 to = lam_scale(lam_v3(handle->to[0], handle->to[1], handle->to[2]), 1 / a->unit);
+    targets[h] = lam_mix(start[a->handle_vertices[h]], to, share);
+  }
+  lam_closeness_add(scope, "handle", LAM_HARD, 1, handles->count, a->handle_vertices, targets);
+}
+
+/* Fairness and what fades with it. */
+static void add_guide(const attempt *a, lam_problem *problem, lam_scope *scope) {
+  const lam_solver_keys *keys = &a->job->common->solver;
+  lam_guide guide = a->job->kind->guide;
+  if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
+  if (keys->closeness_given) guide.closeness = keys->closeness;
+  if (keys->stiffness_given) guide.stiffness = keys->stiffness;
+  lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->place);
+  if (keys->smooth) lam_guided_smooth(problem, .3);
+  if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->place);
+  if (guide.stiffness > 0)
+    lam_edge_length_add(scope, "stiffness", LAM_FAIRNESS, guide.stiffness, (lam_edge_length_params){0});
+}
+
+/* One solve from net's positions (in solver units: positions), with handles moved by the given share of their way. */
+static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start, double share, long *skipped) {
+  const lam_net_job *job = a->job;
+  const lam_net_common *common = job->common;
+  lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, positions);
+  lam_scope scope = {problem, a->net, a->unit, a->tree, &a->reference, a->errors, 0};
+  job->kind->constrain(&scope, job->params, job->place);
+  for (int i = 0; i < common->constraints.count; i++) {
+    const lam_row *row = (const lam_row *)common->constraints.items + i;
+    ((const lam_constraint_kind *)row->head)->add(&scope, row->params, 1, row->place);
+  }
+  fix_boundary(a, problem, &scope);
+  add_handles(a, &scope, start, share);
+  if (job->reference) lam_con_proximity.add(&scope, NULL, common->reference.weight, job->place);
+  lam_schedule schedule = job->kind->schedule;
+  if (common->solver.fairness_given) schedule.fairness = common->solver.fairness;
+  if (common->solver.tolerance_given) schedule.tolerance = common->solver.tolerance;
+  schedule.max_iterations = common->solver.iterations;
+  lam_solution none = {.reason = "not solved"};
+  if (a->errors->count) return none;
+  if (schedule.fairness > 0 || common->solver.smooth) add_guide(a, problem, &scope);
+  lam_solution solution = lam_guided_solve(problem, &schedule, job->progress);
+  lam_problem_positions(problem, positions);
+  *skipped = scope.skipped;
+  return solution;
+}
+
+bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors, lam_net_result *result) {
+  int n = net->mesh.vertex_count, steps = 1, before = errors->count;
+  *result = (lam_net_result){0};
+  attempt a = {.arena = arena, .job = job, .net = net, .errors = errors};
+  a.unit = lam_net_mean_edge(net, net->mesh.vertices);
+  if (!(a.unit > 0) || !isfinite(a.unit)) {
+    lam_error_add(errors, job->place, "net", "the initial mesh has no extent; expected edges longer than 0");
+    return false;
+  }
+  prepare_reference(&a);
+  const lam_list *handles = &job->common->handles;
+  a.handle_vertices = LAM_NEW(arena, int, handles->count);
+  for (int h = 0; h < handles->count; h++) {
+    const lam_handle *handle = (const lam_handle *)handles->items + h;
+    a.handle_vertices[h] = handle_vertex(&a, handle);
+    if (handle->steps > steps) steps = handle->steps;
+  }
+  if (errors->count > before) return false;
+  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n);
+  for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
+  int iterations = 0;
+  for (int step = 1; step <= steps; step++) {
+    result->solution = solve(&a, x, start, (double)step / steps, &result->skipped);
+    iterations += result->solution.iterations;
+    if (errors->count > before) return false;
+  }
+  result->solution.iterations = iterations;
+  result->degenerate = lam_net_degenerate(net, start, x);
+  result->converged = result->solution.converged && !result->degenerate;
+  result->reason = result->degenerate ? result->degenerate : result->solution.reason;
+  for (int v = 0; v < n; v++) {
+    result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
+    net->mesh.vertices[v] = lam_scale(x[v], a.unit);
+  }
+  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
+  result->measures = lam_net_measure(arena, net, net->mesh.vertices, isnan(target) ? right_angle : target, job->kind->measures,
+                                     &result->measure_count);
+  return true;
+}

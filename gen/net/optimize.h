@@ -1,0 +1,30 @@
+/* From an initial mesh to a solved net, by the rules of its kind. */
+#ifndef LAM_NET_OPTIMIZE_H
+#define LAM_NET_OPTIMIZE_H
+
+#include "net/kind.h"
+
+typedef struct lam_net_job {
+  const lam_net_kind *kind;
+  const void *params;
+  const lam_net_common *common;
+  const lam_trimesh *reference; /* metres; NULL: none */
+  lam_place place;
+  const lam_progress *progress;
+} lam_net_job;
+
+typedef struct lam_net_result {
+  lam_solution solution;
+  const char *degenerate; /* NULL: none */
+  bool converged;         /* solved and not degenerate */
+  const char *reason;
+  long skipped;           /* irregular vertices that constraints on regular stars left out */
+  int measure_count;
+  lam_measure *measures;
+  double drift;           /* largest displacement from the start, in mean edges */
+} lam_net_result;
+
+/* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go to errors; false then. */
+bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors, lam_net_result *result);
+
+#endif

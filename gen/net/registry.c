@@ -1,0 +1,11 @@
+#include "net/kind.h"
+
+extern const lam_net_kind lam_net_asymptotic, lam_net_planar_quads, lam_net_free;
+
+static const lam_row_head *const rows[] = {
+    &lam_net_asymptotic.head,
+    &lam_net_planar_quads.head,
+    &lam_net_free.head,
+};
+
+const lam_registry lam_nets = {"nets", "net", rows, sizeof rows / sizeof *rows};

@@ -1,0 +1,19 @@
+/* Initial nets: sampled from a surface in the parameterisation that a net needs. */
+#ifndef LAM_NET_START_H
+#define LAM_NET_START_H
+
+#include "net/net.h"
+#include "surf/place.h"
+#include "surf/surface.h"
+
+/* Samples a surface. grid: cells along the families. hole: rings left out around a flat point. Scaled, turned and set on the
+ * ground as place says. Errors (no such parameterisation, unequal grid around a flat point, ...) go to errors; false then. */
+bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,
+                   const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh);
+
+/* Moves the mesh up or down so that its lowest vertex is at z = 0. */
+void lam_mesh_ground(lam_mesh *mesh);
+/* Displaces every vertex by a random vector of length up to noise (deterministic in seed). */
+void lam_mesh_perturb(lam_mesh *mesh, double noise, int seed);
+
+#endif

@@ -1,0 +1,39 @@
+/* Guided projection: damped Gauss-Newton with fading fairness (thesis 3.7, in the form with the vertices as unknowns). */
+#ifndef LAM_SOLVE_GUIDED_H
+#define LAM_SOLVE_GUIDED_H
+
+#include "core/progress.h"
+#include "solve/factor.h"
+#include "solve/problem.h"
+
+typedef struct lam_schedule {
+  double fairness;     /* weight at the start; 0: none */
+  int hold;            /* iterations at the start weight */
+  double decay;        /* factor per iteration afterwards */
+  double floor;        /* below this the weight becomes 0 */
+  double tolerance;    /* on the largest hard residual (mean edge length = 1) */
+  int max_iterations;
+  bool fade_soft;      /* soft blocks fade with the fairness too (guide terms, not wishes) */
+} lam_schedule;
+
+typedef struct lam_solution {
+  bool converged;
+  const char *reason; /* static text */
+  int iterations;     /* accepted steps */
+  int factorizations;
+  double residual, rms; /* hard, at the end */
+  const char *worst;    /* block with the largest residual */
+  int history_count;
+  double *history;      /* largest hard residual before the first and after every step */
+  double seconds_assembly, seconds_factor, seconds_solve, seconds_total;
+  lam_factor_stats factor;
+  int unknowns, residuals;
+} lam_solution;
+
+lam_schedule lam_schedule_default(void);
+/* Solves in place (problem->x). Non-convergence is a result, not an error. */
+lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule, const lam_progress *progress);
+/* One linear solve that minimises the fairness blocks and (closeness to the start)^2 * weight^2: for noisy starts. */
+void lam_guided_smooth(lam_problem *problem, double weight);
+
+#endif
