@@ -11,7 +11,7 @@ else ifeq ($(config),debug)
   opt := -O0 -g3
 else ifeq ($(config),sanitize)
   out := build/sanitize
-  opt := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+  opt := -O1 -g -Wno-format-truncation -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 else
   $(error config is release, debug or sanitize, not "$(config)")
 endif
@@ -39,14 +39,18 @@ all: $(out)/lamella $(out)/liblamella.so
 $(out)/liblamella.a: $(lib_obj)
 	@rm -f $@.part && ar rcsD $@.part $^ && mv $@.part $@
 $(out)/liblamella.so: $(lib_obj)
-	$(CC) -shared $(opt) -Wl,-soname,liblamella.so.0 -o $@.part $^ $(libs) && mv $@.part $@
+	@echo "  link $@"
+	@$(CC) -shared $(opt) -Wl,-soname,liblamella.so.0 -o $@.part $^ $(libs) && mv $@.part $@
 $(out)/lamella: $(cli_obj) $(out)/liblamella.a
-	$(CC) $(opt) -o $@.part $(cli_obj) $(out)/liblamella.a $(libs) && mv $@.part $@
+	@echo "  link $@"
+	@$(CC) $(opt) -o $@.part $(cli_obj) $(out)/liblamella.a $(libs) && mv $@.part $@
 
 $(out)/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS_) -c $< -o $@
+	@echo "  cc   $<"
+	@$(CC) $(CFLAGS_) -c $< -o $@
 $(out)/obj/%.o: %.cc
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS_) -c $< -o $@
+	@echo "  c++  $<"
+	@$(CXX) $(CXXFLAGS_) -c $< -o $@
 -include $(lib_obj:.o=.d) $(cli_obj:.o=.d)

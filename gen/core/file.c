@@ -16,8 +16,8 @@ static lam_status fail(lam_errors *errors, const char *path, const char *what, i
 }
 
 /* Reads to the end; the file may be a pipe, whose size is not known before. */
-static lam_status read_all(lam_arena *arena, int file, const char *path, size_t limit, size_t guess,
-                           lam_errors *errors, char **bytes, size_t *count) {
+static lam_status read_all(lam_arena *arena, int file, const char *path, size_t limit, size_t guess, lam_errors *errors,
+                           char **bytes, size_t *count) {
   size_t capacity = guess + 1, length = 0;
   char *data = lam_arena_alloc(arena, capacity + 1, 1);
   for (;;) {

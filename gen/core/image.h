@@ -23,9 +23,9 @@ lam_status lam_image_write(const char *path, const lam_image *image, lam_errors 
 uint64_t lam_image_hash(const lam_image *image);
 
 typedef struct lam_image_difference {
-  double share;   /* of the pixels with a channel that differs by more than lam_image_step, 0 to 1 */
-  int max;        /* largest difference of a channel, 0 to 255 */
-  double psnr;    /* 10 log10(255^2 / mean squared difference), dB; infinite when equal */
+  double share; /* of the pixels with a channel that differs by more than lam_image_step, 0 to 1 */
+  int max;      /* largest difference of a channel, 0 to 255 */
+  double psnr;  /* 10 log10(255^2 / mean squared difference), dB; infinite when equal */
 } lam_image_difference;
 
 enum { lam_image_step = 4 };

@@ -25,7 +25,7 @@ lam_trimesh lam_mesh_triangles(lam_arena *arena, const lam_mesh *mesh) {
 /* A hash table of points with open addressing. Keys are the coordinates, or the numbers of their grid cells. */
 typedef struct point_table {
   size_t mask;
-  int *slot; /* index of a vertex of the result + 1; 0: free */
+  int *slot;     /* index of a vertex of the result + 1; 0: free */
   lam_vec3 *key; /* per vertex of the result */
 } point_table;
 

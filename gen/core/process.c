@@ -79,8 +79,8 @@ static double now(void) {
   return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* Starts the program with its stdout and stderr on pipe_end. Returns 0 or an error number. It leads a process group of its
- * own, so that a timeout ends what it started too. */
+/* Starts the program with its stdout and stderr on pipe_end. Returns 0 or an error number. It leads a process group of
+ * its own, so that a timeout ends what it started too. */
 static int start(const lam_process *process, char **environment, int pipe_end, pid_t *pid) {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;

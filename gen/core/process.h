@@ -18,9 +18,9 @@ typedef struct lam_process {
 /* Runs the program to its end with an empty stdin.
  *   LAM_OK               it ran: *exit_code is its exit status, or 128 + signal when a signal ended it
  *   LAM_MISSING_PROGRAM  it is not installed: one message that names the package
- *   LAM_IO               the directory or the output file cannot be used, or there is no process or pipe left: one message
- *   LAM_FAILED           it did not end within the timeout: one message
- * exit_code may be NULL. Keeps no pointer. One process at a time per lam_text; otherwise safe in threads. */
+ *   LAM_IO               the directory or the output file cannot be used, or there is no process or pipe left: one
+ * message LAM_FAILED           it did not end within the timeout: one message exit_code may be NULL. Keeps no pointer.
+ * One process at a time per lam_text; otherwise safe in threads. */
 lam_status lam_process_run(const lam_process *process, int *exit_code, lam_errors *errors);
 
 /* Whether the program is found in PATH (or, with a slash, is an executable file). */

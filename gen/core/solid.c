@@ -166,7 +166,6 @@ lam_status lam_solid_measure(const lam_trimesh *mesh, bool self_intersections, l
   }
   lam_status status = measure(arena, mesh, facts);
   lam_arena_free(arena);
-  if (status == LAM_OK && self_intersections)
-    status = lam_solid_self_intersections(mesh, &facts->self_intersections);
+  if (status == LAM_OK && self_intersections) status = lam_solid_self_intersections(mesh, &facts->self_intersections);
   return status;
 }

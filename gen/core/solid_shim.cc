@@ -2,6 +2,7 @@
  * Nothing here allocates from an arena or lets an exception out. */
 #include "core/solid.h"
 
+#include "core/prism.h"
 #include "core/solid_exact.h"
 #include "core/topology.h"
 
@@ -234,116 +235,6 @@ double volume_of(const Mesh &mesh) {
   return sum;
 }
 
-/* ---- the volume of an intersection without a mesh of it ---- */
-
-struct Plan_point {
-  double x, y, above, below; /* heights of the two triangles */
-};
-
-/* The part of a convex polygon where value >= 0, value being linear. */
-template <class Value> void clip(std::vector<Plan_point> &polygon, Value value) {
-  std::vector<Plan_point> kept;
-  for (size_t i = 0; i < polygon.size(); i++) {
-    const Plan_point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    double u = value(p), v = value(q);
-    if (u >= 0) kept.push_back(p);
-    if ((u > 0 && v < 0) || (u < 0 && v > 0)) {
-      double t = u / (u - v);
-      kept.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.above + t * (q.above - p.above),
-                      p.below + t * (q.below - p.below)});
-    }
-  }
-  polygon.swap(kept);
-}
-
-/* The integral of the height `below` over a convex polygon. */
-double integral(const std::vector<Plan_point> &p) {
-  double sum = 0;
-  for (size_t i = 2; i < p.size(); i++) {
-    double doubled = (p[i - 1].x - p[0].x) * (p[i].y - p[0].y) - (p[i].x - p[0].x) * (p[i - 1].y - p[0].y);
-    sum += doubled / 6 * (p[0].below + p[i - 1].below + p[i].below);
-  }
-  return sum;
-}
-
-/* A triangle seen from above: counterclockwise, relative to an origin; sign says whether it was turned over. */
-struct Shadow {
-  double x[3], y[3], z[3];
-  int sign;
-  Shadow(const Triangle &t, const Point &o) {
-    for (int k = 0; k < 3; k++) {
-      x[k] = t[k].x() - o.x();
-      y[k] = t[k].y() - o.y();
-      z[k] = t[k].z() - o.z();
-    }
-    double doubled = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-    sign = (doubled > 0) - (doubled < 0);
-    if (sign < 0) {
-      std::swap(x[1], x[2]);
-      std::swap(y[1], y[2]);
-      std::swap(z[1], z[2]);
-    }
-  }
-  double height(double px, double py) const {
-    double doubled = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-    double u = ((px - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (py - y[0])) / doubled;
-    double v = ((x[1] - x[0]) * (py - y[0]) - (px - x[0]) * (y[1] - y[0])) / doubled;
-    double h = z[0] + u * (z[1] - z[0]) + v * (z[2] - z[0]);
-    return std::min(std::max(h, std::min({z[0], z[1], z[2]})), std::max({z[0], z[1], z[2]}));
-  }
-};
-
-/* Integral of min(height of s, height of t) over the plan area that both cover. */
-double common_prism(const Shadow &s, const Shadow &t) {
-  std::vector<Plan_point> polygon;
-  for (int k = 0; k < 3; k++) polygon.push_back({s.x[k], s.y[k], s.z[k], 0});
-  for (int k = 0; k < 3; k++) {
-    int l = (k + 1) % 3;
-    clip(polygon, [&](const Plan_point &p) {
-      return (t.x[l] - t.x[k]) * (p.y - t.y[k]) - (p.x - t.x[k]) * (t.y[l] - t.y[k]);
-    });
-  }
-  if (polygon.size() < 3) return 0;
-  for (auto &p : polygon) p.below = t.height(p.x, p.y);
-  auto swapped = polygon;
-  for (auto &p : swapped) std::swap(p.above, p.below);
-  clip(polygon, [](const Plan_point &p) { return p.above - p.below; });
-  clip(swapped, [](const Plan_point &p) { return p.above - p.below; });
-  return integral(polygon) + integral(swapped);
-}
-
-/* A closed surface is the signed sum of the prisms below its triangles, so the volume common to two of them is
- *   sum over pairs of triangles of sign sign' integral of min(height, height').
- * It needs nothing of the surfaces but that they are closed; a place that a surface winds around more than once counts
- * as often. Rounding noise is cut. */
-double prism_volume(const Component &a, const Component &b) {
-  const Point origin((std::max(a.box.xmin(), b.box.xmin()) + std::min(a.box.xmax(), b.box.xmax())) / 2,
-                     (std::max(a.box.ymin(), b.box.ymin()) + std::min(a.box.ymax(), b.box.ymax())) / 2,
-                     (std::max(a.box.zmin(), b.box.zmin()) + std::min(a.box.zmax(), b.box.zmax())) / 2);
-  auto plan_boxes = [&](const Component &c) {
-    std::vector<Box> boxes;
-    for (int i = 0; i < (int)c.soup.triangles.size(); i++) {
-      Bbox_3 q = c.soup.box(i);
-      boxes.emplace_back(Bbox_3(q.xmin(), q.ymin(), 0, q.xmax(), q.ymax(), 0), i);
-    }
-    return boxes;
-  };
-  std::vector<Box> first = plan_boxes(a), second = plan_boxes(b);
-  std::vector<std::pair<int, int>> pairs;
-  CGAL::box_intersection_d(first.begin(), first.end(), second.begin(), second.end(),
-                           [&](const Box &p, const Box &q) { pairs.emplace_back(p.info(), q.info()); });
-  std::sort(pairs.begin(), pairs.end());
-  double sum = 0, size = 0;
-  for (auto [i, j] : pairs) {
-    Shadow s(a.soup.triangle(i), origin), t(b.soup.triangle(j), origin);
-    if (s.sign == 0 || t.sign == 0) continue;
-    double term = common_prism(s, t);
-    sum += s.sign * t.sign * term;
-    size += std::fabs(term);
-  }
-  return std::fabs(sum) < 1e-13 * size ? 0 : sum;
-}
-
 /* ---- overlaps ---- */
 
 /* A walk that counts the triangles which a segment passes through; unsure when it touches an edge. */
@@ -378,6 +269,22 @@ bool is_inside(const Component &component, const Point &p) {
   throw std::runtime_error("no segment avoids all edges");
 }
 
+double prism_volume(const Soup &a, const Soup &b) {
+  const Soup *const soups[2] = {&a, &b};
+  std::vector<lam_vec3> vertices[2];
+  std::vector<std::array<int, 3>> triangles[2];
+  lam_trimesh meshes[2];
+  for (int k = 0; k < 2; k++) {
+    for (const Point &p : soups[k]->points) vertices[k].push_back(lam_v3(p.x(), p.y(), p.z()));
+    triangles[k] = soups[k]->triangles;
+    meshes[k] = {(int)vertices[k].size(), vertices[k].data(), (int)triangles[k].size(),
+                 reinterpret_cast<int(*)[3]>(triangles[k].data())};
+  }
+  double volume = 0;
+  if (lam_prism_volume(&meshes[0], &meshes[1], &volume) != LAM_OK) throw std::bad_alloc();
+  return volume;
+}
+
 /* Corefinement gives the exact boolean intersection, rounded at the end. It refuses where the result would not be a
  * manifold and where a surface cuts itself: the sum over prisms answers there. */
 double meeting_volume(const Component &a, const Component &b) {
@@ -393,7 +300,8 @@ double meeting_volume(const Component &a, const Component &b) {
     throw;
   } catch (const std::exception &) {
   }
-  return std::min(std::max(prism_volume(a, b), 0.0), most);
+  double volume = prism_volume(a.soup, b.soup);
+  return std::min(std::max(volume, 0.0), most);
 }
 
 double common_volume(const Component &a, const Component &b) {
@@ -420,8 +328,7 @@ Solid solid_of(const lam_trimesh &mesh, const lam_frame *frame) {
   std::vector<int> component(mesh.triangle_count);
   std::vector<std::array<int, 3>> fan(mesh.triangle_count);
   lam_topology topology;
-  lam_status status =
-      lam_topology_make(&mesh, component.data(), reinterpret_cast<int(*)[3]>(fan.data()), &topology);
+  lam_status status = lam_topology_make(&mesh, component.data(), reinterpret_cast<int(*)[3]>(fan.data()), &topology);
   if (status == LAM_NO_MEMORY) throw std::bad_alloc();
   Solid solid;
   if (status != LAM_OK || topology.boundary_edges || !topology.oriented || !mesh.triangle_count) return solid;
@@ -452,33 +359,7 @@ Solid solid_of(const lam_trimesh &mesh, const lam_frame *frame) {
   return solid;
 }
 
-/* ---- distances ---- */
-
-struct Distance {
-  const Tree &tree;
-  double worst = 0; /* squared */
-  Point hint;
-  explicit Distance(const Tree &t) : tree(t), hint(t.any_reference_point_and_id().first) {}
-  void sample(const Point &p) {
-    hint = tree.closest_point(p, hint);
-    worst = std::max(worst, CGAL::squared_distance(p, hint));
-  }
-  /* Rows parallel to the longest edge, from it to the opposite corner. */
-  void sample(const Triangle &t, double spacing) {
-    int k = 0;
-    for (int l = 1; l < 3; l++)
-      if (CGAL::squared_distance(t[l], t[(l + 1) % 3]) > CGAL::squared_distance(t[k], t[(k + 1) % 3])) k = l;
-    const Point a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
-    double edge = std::sqrt(CGAL::squared_distance(a, b));
-    double height = edge > 0 ? 2 * std::sqrt(t.squared_area()) / edge : 0;
-    double rows = std::max(1.0, std::ceil(height / spacing));
-    for (double r = 0; r <= rows; r++) {
-      const Point p = a + (c - a) * (r / rows), q = b + (c - b) * (r / rows);
-      double steps = std::max(1.0, std::ceil(edge * (1 - r / rows) / spacing));
-      for (double s = 0; s <= (r == rows ? 0 : steps); s++) sample(p + (q - p) * (s / steps));
-    }
-  }
-};
+/* ---- meshes from C ---- */
 
 Soup soup_of(const lam_trimesh &mesh) {
   Soup soup;
@@ -598,25 +479,6 @@ lam_status lam_solid_set_overlap(const lam_solid_set *set, int i, int j, double 
     for (const auto &a : set->solids[i].components)
       for (const auto &b : set->solids[j].components) sum += a->sign * b->sign * common_volume(*a, *b);
     *volume = std::max(sum, 0.0);
-    return LAM_OK;
-  });
-}
-
-lam_status lam_solid_hausdorff(const lam_trimesh *a, const lam_trimesh *b, double spacing, double *a_to_b,
-                               double *b_to_a) {
-  return guarded([&] {
-    if (!usable(*a) || !usable(*b) || !(spacing > 0)) return LAM_BAD_INPUT;
-    const Soup soups[2] = {soup_of(*a), soup_of(*b)};
-    double *const results[2] = {a_to_b, b_to_a};
-    for (int k = 0; k < 2; k++) {
-      Tree tree;
-      build(tree, soups[1 - k]);
-      if (tree.empty()) return LAM_BAD_INPUT;
-      tree.accelerate_distance_queries();
-      Distance distance(tree);
-      for (int i = 0; i < (int)soups[k].triangles.size(); i++) distance.sample(soups[k].triangle(i), spacing);
-      *results[k] = std::sqrt(distance.worst);
-    }
     return LAM_OK;
   });
 }

@@ -27,8 +27,10 @@ static int root_of(int *parent, int i) {
 static void unite(int *parent, int i, int j) {
   i = root_of(parent, i);
   j = root_of(parent, j);
-  if (i < j) parent[j] = i;
-  else parent[i] = j;
+  if (i < j)
+    parent[j] = i;
+  else
+    parent[i] = j;
 }
 
 static int next_corner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }

@@ -1,0 +1,166 @@
+#include "formats/gltf_shim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <sstream>
+#include <tiny_gltf.h>
+
+namespace {
+
+/* The one buffer: vertices (positions and normals, 12 bytes each), then 32-bit indices, then 16-bit indices, each a
+ * buffer view. */
+struct Packer {
+  tinygltf::Model model;
+  std::vector<unsigned char> vertices, wide, narrow;
+  enum View { vertex_view, wide_view, narrow_view };
+
+  int accessor(View view, std::vector<unsigned char> &data, const void *bytes, size_t size, int component, int type,
+               int count) {
+    tinygltf::Accessor a;
+    a.bufferView = view;
+    a.byteOffset = data.size();
+    a.componentType = component;
+    a.type = type;
+    a.count = static_cast<size_t>(count);
+    const unsigned char *begin = static_cast<const unsigned char *>(bytes);
+    data.insert(data.end(), begin, begin + size);
+    model.accessors.push_back(a);
+    return static_cast<int>(model.accessors.size()) - 1;
+  }
+
+  int vectors(const float *values, int count) {
+    return accessor(vertex_view, vertices, values, sizeof(float) * 3 * static_cast<size_t>(count),
+                    TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, count);
+  }
+
+  int indices(const int *values, int count, int vertex_count) {
+    size_t n = static_cast<size_t>(count);
+    if (vertex_count < 65535) {
+      std::vector<uint16_t> packed(values, values + n);
+      return accessor(narrow_view, narrow, packed.data(), sizeof(uint16_t) * n, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                      TINYGLTF_TYPE_SCALAR, count);
+    }
+    std::vector<uint32_t> packed(values, values + n);
+    return accessor(wide_view, wide, packed.data(), sizeof(uint32_t) * n, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                    TINYGLTF_TYPE_SCALAR, count);
+  }
+
+  void mesh(const lam_gltf_mesh &in) {
+    tinygltf::Primitive p;
+    int positions = vectors(in.positions, in.vertex_count);
+    tinygltf::Accessor &a = model.accessors.back();
+    for (int k = 0; k < 3; k++) {
+      float low = in.positions[k], high = low;
+      for (int v = 1; v < in.vertex_count; v++) {
+        low = std::min(low, in.positions[3 * v + k]);
+        high = std::max(high, in.positions[3 * v + k]);
+      }
+      a.minValues.push_back(low);
+      a.maxValues.push_back(high);
+    }
+    p.attributes["POSITION"] = positions;
+    if (in.normals) p.attributes["NORMAL"] = vectors(in.normals, in.vertex_count);
+    p.indices = indices(in.indices, in.index_count, in.vertex_count);
+    p.material = in.material;
+    p.mode = in.normals ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_LINE;
+    tinygltf::Mesh m;
+    m.name = in.name;
+    m.primitives.push_back(p);
+    model.meshes.push_back(m);
+  }
+
+  /* Views that hold nothing are left out; accessors of the later ones move up. */
+  void pack() {
+    tinygltf::Buffer buffer;
+    int moved[3] = {-1, -1, -1};
+    std::vector<unsigned char> *parts[3] = {&vertices, &wide, &narrow};
+    for (int v = 0; v < 3; v++) {
+      if (parts[v]->empty()) continue;
+      tinygltf::BufferView view;
+      view.buffer = 0;
+      view.byteOffset = buffer.data.size();
+      view.byteLength = parts[v]->size();
+      view.byteStride = v == vertex_view ? 12 : 0;
+      view.target = v == vertex_view ? TINYGLTF_TARGET_ARRAY_BUFFER : TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+      moved[v] = static_cast<int>(model.bufferViews.size());
+      model.bufferViews.push_back(view);
+      buffer.data.insert(buffer.data.end(), parts[v]->begin(), parts[v]->end());
+      buffer.data.resize((buffer.data.size() + 3) / 4 * 4);
+    }
+    for (tinygltf::Accessor &a : model.accessors) a.bufferView = moved[a.bufferView];
+    if (!buffer.data.empty()) model.buffers.push_back(std::move(buffer));
+  }
+};
+
+tinygltf::Material material_of(const lam_gltf_material &in) {
+  tinygltf::Material m;
+  m.name = in.name;
+  m.pbrMetallicRoughness.baseColorFactor = {in.color[0], in.color[1], in.color[2], 1};
+  m.pbrMetallicRoughness.metallicFactor = in.metallic;
+  m.pbrMetallicRoughness.roughnessFactor = in.roughness;
+  return m;
+}
+
+tinygltf::Value extras_of(const lam_gltf_node &in) {
+  tinygltf::Value::Object object;
+  for (int i = 0; i < in.extra_count; i++) {
+    const lam_gltf_extra &e = in.extras[i];
+    bool whole = e.number == std::floor(e.number) && std::fabs(e.number) < 1e9;
+    object[e.name] = e.text  ? tinygltf::Value(std::string(e.text))
+                     : whole ? tinygltf::Value(static_cast<int>(e.number))
+                             : tinygltf::Value(e.number);
+  }
+  return tinygltf::Value(object);
+}
+
+void add_nodes(const lam_gltf_scene &in, tinygltf::Model &model) {
+  tinygltf::Scene scene;
+  scene.name = in.name;
+  for (int i = 0; i < in.node_count; i++) {
+    const lam_gltf_node &n = in.nodes[i];
+    tinygltf::Node node;
+    node.name = n.name;
+    node.mesh = n.mesh;
+    if (n.matrix) node.matrix.assign(n.matrix, n.matrix + 16);
+    if (n.extra_count) node.extras = extras_of(n);
+    model.nodes.push_back(node);
+    if (n.parent < 0)
+      scene.nodes.push_back(i);
+    else
+      model.nodes[static_cast<size_t>(n.parent)].children.push_back(i);
+  }
+  model.scenes.push_back(scene);
+  model.defaultScene = 0;
+}
+
+} // namespace
+
+lam_status lam_gltf_encode(const lam_gltf_scene *scene, char **bytes, size_t *count) {
+  *bytes = nullptr;
+  *count = 0;
+  try {
+    Packer packer;
+    packer.model.asset.version = "2.0";
+    packer.model.asset.generator = "lamella";
+    for (int i = 0; i < scene->material_count; i++) packer.model.materials.push_back(material_of(scene->materials[i]));
+    for (int i = 0; i < scene->mesh_count; i++) packer.mesh(scene->meshes[i]);
+    packer.pack();
+    add_nodes(*scene, packer.model);
+    std::ostringstream stream;
+    tinygltf::TinyGLTF writer;
+    if (!writer.WriteGltfSceneToStream(&packer.model, stream, false, true)) return LAM_FAILED;
+    std::string glb = stream.str();
+    *bytes = static_cast<char *>(std::malloc(glb.size()));
+    if (!*bytes) return LAM_NO_MEMORY;
+    std::memcpy(*bytes, glb.data(), glb.size());
+    *count = glb.size();
+    return LAM_OK;
+  } catch (const std::bad_alloc &) {
+    return LAM_NO_MEMORY;
+  } catch (...) {
+    return LAM_FAILED;
+  }
+}

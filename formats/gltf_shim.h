@@ -1,0 +1,60 @@
+/* glTF binaries through tinygltf, the only C++ behind formats/gltf.c. Everything is plain constant data; nothing is
+ * kept. */
+#ifndef LAM_FORMATS_GLTF_SHIM_H
+#define LAM_FORMATS_GLTF_SHIM_H
+
+#include "core/error.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct lam_gltf_material {
+  const char *name;
+  double color[3]; /* linear RGB */
+  double metallic, roughness;
+} lam_gltf_material;
+
+/* Triangles with normals, or lines when normals is NULL. */
+typedef struct lam_gltf_mesh {
+  const char *name;
+  int material;
+  int vertex_count;
+  const float *positions; /* 3 per vertex */
+  const float *normals;   /* 3 per vertex, unit; or NULL */
+  int index_count;
+  const int *indices;
+} lam_gltf_mesh;
+
+/* A text, or a number when text is NULL. */
+typedef struct lam_gltf_extra {
+  const char *name, *text;
+  double number; /* finite */
+} lam_gltf_extra;
+
+typedef struct lam_gltf_node {
+  const char *name;
+  int parent;           /* an earlier node; -1 for a root */
+  int mesh;             /* -1: none */
+  const double *matrix; /* 4 x 4, column-major; NULL: identity */
+  int extra_count;
+  const lam_gltf_extra *extras;
+} lam_gltf_node;
+
+typedef struct lam_gltf_scene {
+  const char *name;
+  int material_count, mesh_count, node_count;
+  const lam_gltf_material *materials;
+  const lam_gltf_mesh *meshes;
+  const lam_gltf_node *nodes;
+} lam_gltf_scene;
+
+/* The bytes of a .glb file: *bytes is freed with free(). LAM_OK, LAM_NO_MEMORY or LAM_FAILED (then *bytes is NULL). The
+ * same scene gives the same bytes. */
+lam_status lam_gltf_encode(const lam_gltf_scene *scene, char **bytes, size_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

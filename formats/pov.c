@@ -1,0 +1,294 @@
+/* POV-Ray scenes. The parts are triangle meshes with normals, in metres, z up; the model's bounds, its extreme points
+ * and its supports are declared, and the setting (a file of templates/pov) brings ground, light, people and camera.
+ *
+ * Nothing in the scene is mirrored: cameras of camera.inc are right-handed. */
+#include "formats/format.h"
+
+#include "core/mesh.h"
+#include <string.h>
+
+/* Faces whose normals differ by less than this are shaded as one smooth surface. */
+static const double smooth_angle = 30 * M_PI / 180;
+
+/* ---- normals ---- */
+
+/* Room for the largest part; reused from part to part. */
+typedef struct corner_normals {
+  int count;
+  lam_vec3 *normals;
+  int (*corners)[3]; /* per triangle and corner: index into normals */
+  lam_vec3 *faces;   /* per triangle: its unit normal times twice its area */
+  int *start, *list; /* corners by vertex: list[start[v] .. start[v+1]-1]; a corner is 3 * triangle + position */
+} corner_normals;
+
+static corner_normals make_room(lam_arena *arena, const lam_model *model) {
+  int vertices = 0, triangles = 0;
+  for (int i = 0; i < model->part_count; i++) {
+    const lam_trimesh *mesh = &model->parts[i].solid;
+    if (mesh->vertex_count > vertices) vertices = mesh->vertex_count;
+    if (mesh->triangle_count > triangles) triangles = mesh->triangle_count;
+  }
+  return (corner_normals){.normals = LAM_NEW(arena, lam_vec3, 3 * (size_t)triangles),
+                          .corners = lam_arena_alloc(arena, (size_t)triangles, sizeof(int[3])),
+                          .faces = LAM_NEW(arena, lam_vec3, triangles),
+                          .start = LAM_NEW(arena, int, vertices + 2),
+                          .list = LAM_NEW(arena, int, 3 * (size_t)triangles)};
+}
+
+static void sort_corners(const lam_trimesh *mesh, int *start, int *list) {
+  memset(start, 0, sizeof(int) * ((size_t)mesh->vertex_count + 2));
+  for (int k = 0; k < 3 * mesh->triangle_count; k++) start[mesh->triangles[k / 3][k % 3] + 2]++;
+  for (int v = 0; v < mesh->vertex_count; v++) start[v + 2] += start[v + 1];
+  for (int k = 0; k < 3 * mesh->triangle_count; k++) list[start[mesh->triangles[k / 3][k % 3] + 1]++] = k;
+}
+
+/* The normal of a corner is the area-weighted sum over the triangles at its vertex that lie within smooth_angle of its
+ * own triangle: smooth along a strip, split at its edges. Equal normals of a vertex are stored once. */
+static void find_normals(const lam_trimesh *mesh, corner_normals *found) {
+  const double least = cos(smooth_angle);
+  sort_corners(mesh, found->start, found->list);
+  for (int t = 0; t < mesh->triangle_count; t++) {
+    const int *c = mesh->triangles[t];
+    const lam_vec3 *x = mesh->vertices;
+    found->faces[t] = lam_cross(lam_sub(x[c[1]], x[c[0]]), lam_sub(x[c[2]], x[c[0]]));
+  }
+  found->count = 0;
+  for (int v = 0; v < mesh->vertex_count; v++) {
+    int first = found->count;
+    for (int i = found->start[v]; i < found->start[v + 1]; i++) {
+      int corner = found->list[i];
+      lam_vec3 own = lam_unit(found->faces[corner / 3]), sum = found->faces[corner / 3];
+      for (int j = found->start[v]; j < found->start[v + 1]; j++) {
+        lam_vec3 other = found->faces[found->list[j] / 3];
+        if (j != i && lam_dot(own, lam_unit(other)) > least) sum = lam_add(sum, other);
+      }
+      sum = lam_unit(sum);
+      int k = first;
+      while (k < found->count && lam_distance(found->normals[k], sum) > 1e-4) k++;
+      if (k == found->count) found->normals[found->count++] = sum;
+      found->corners[corner / 3][corner % 3] = k;
+    }
+  }
+}
+
+/* ---- pieces of scene language ---- */
+
+static void add_vector(lam_text *out, lam_vec3 v, int decimals) {
+  lam_text_add(out, "<");
+  lam_text_number(out, v.x, decimals);
+  lam_text_add(out, ",");
+  lam_text_number(out, v.y, decimals);
+  lam_text_add(out, ",");
+  lam_text_number(out, v.z, decimals);
+  lam_text_add(out, ">");
+}
+
+static void add_vectors(lam_text *out, const char *name, const lam_vec3 *vectors, int count, int decimals) {
+  lam_text_printf(out, "  %s { %d", name, count);
+  for (int i = 0; i < count; i++) {
+    lam_text_add(out, i % 4 ? "," : ",\n    ");
+    add_vector(out, vectors[i], decimals);
+  }
+  lam_text_add(out, " }\n");
+}
+
+static void add_triples(lam_text *out, const char *name, const int (*triples)[3], int count) {
+  lam_text_printf(out, "  %s { %d", name, count);
+  for (int i = 0; i < count; i++) {
+    lam_text_printf(out, "%s<%d,%d,%d>", i % 8 ? "," : ",\n    ", triples[i][0], triples[i][1], triples[i][2]);
+  }
+  lam_text_add(out, " }\n");
+}
+
+static void add_part(lam_text *out, const lam_part *part, int number, int decimals, corner_normals *room) {
+  const lam_trimesh *mesh = &part->solid;
+  find_normals(mesh, room);
+  lam_text_printf(out, "// %s: %s of %s\n#declare Part_%d = mesh2 {\n", part->name, part->kind, part->material->name,
+                  number);
+  add_vectors(out, "vertex_vectors", mesh->vertices, mesh->vertex_count, decimals);
+  add_vectors(out, "normal_vectors", room->normals, room->count, 4);
+  add_triples(out, "face_indices", (const int(*)[3])mesh->triangles, mesh->triangle_count);
+  add_triples(out, "normal_indices", (const int(*)[3])room->corners, mesh->triangle_count);
+  lam_text_add(out, "}\n");
+}
+
+/* A material's name as part of an identifier. */
+static void add_identifier(lam_text *out, const char *name) {
+  for (const char *c = name; *c; c++) {
+    bool plain = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
+    lam_text_bytes(out, plain ? c : "_", 1);
+  }
+}
+
+/* ---- extreme points ---- */
+
+enum { direction_count = 26 };
+
+/* Direction k of the 26 neighbors of a cube in its grid. */
+static lam_vec3 direction(int k) {
+  int cell = k < 13 ? k : k + 1;
+  return lam_v3(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
+}
+
+static lam_vec3 placed(const lam_frame *frame, lam_vec3 x) {
+  if (!frame) return x;
+  return lam_along(lam_along(lam_along(frame->origin, x.x, frame->axis[0]), x.y, frame->axis[1]), x.z, frame->axis[2]);
+}
+
+/* The points of the model that lie furthest out in 26 directions: what a camera must see. */
+static void find_extremes(const lam_model *model, lam_vec3 *points) {
+  double reach[direction_count];
+  for (int k = 0; k < direction_count; k++) reach[k] = -INFINITY;
+  for (int i = 0; i < model->part_count; i++) {
+    const lam_part *part = &model->parts[i];
+    for (int j = 0; j < (part->instance_count ? part->instance_count : 1); j++) {
+      const lam_frame *frame = part->instance_count ? &part->instances[j] : NULL;
+      for (int v = 0; v < part->solid.vertex_count; v++) {
+        lam_vec3 x = placed(frame, part->solid.vertices[v]);
+        for (int k = 0; k < direction_count; k++) {
+          double along = lam_dot(direction(k), x);
+          if (along > reach[k]) {
+            reach[k] = along;
+            points[k] = x;
+          }
+        }
+      }
+    }
+  }
+}
+
+static void add_array(lam_text *out, const char *name, const lam_vec3 *points, int count, int decimals) {
+  lam_text_printf(out, "#declare %s = array[%d] {", name, count);
+  for (int i = 0; i < count; i++) {
+    lam_text_add(out, i ? (i % 4 ? ", " : ",\n  ") : "\n  ");
+    add_vector(out, points[i], decimals);
+  }
+  lam_text_add(out, "\n}\n");
+}
+
+/* ---- the scene ---- */
+
+static void add_head(lam_text *out, const lam_model *model, int decimals) {
+  lam_vec3 extremes[direction_count], min, max;
+  find_extremes(model, extremes);
+  lam_points_bounds(extremes, direction_count, &min, &max);
+  double ground = min.z;
+  for (int i = 0; i < model->support_count; i++) {
+    if (i == 0 || model->supports[i].z < ground) ground = model->supports[i].z;
+  }
+  lam_text_printf(out, "// %s\n// Picture: povray \"render.ini[final]\" +I%s.pov +W%d +H%d\n", model->title,
+                  model->name, model->picture.width, model->picture.height);
+  lam_text_add(out, "// Part numbers as flat colors: \"render.ini[mask]\" instead. Metres, z up.\n#version 3.7;\n"
+                    "global_settings { assumed_gamma 1.0 }\n\n#declare Model_Min = ");
+  add_vector(out, min, decimals);
+  lam_text_add(out, ";\n#declare Model_Max = ");
+  add_vector(out, max, decimals);
+  lam_text_add(out, ";\n#declare Model_Ground = "); /* height of the ground it stands on */
+  lam_text_number(out, ground, decimals);
+  lam_text_printf(out, ";\n#declare Model_Support_Count = %d;\n", model->support_count);
+  if (model->support_count) {
+    add_array(out, "Model_Supports", model->supports, model->support_count, decimals);
+  }
+  lam_text_add(out, "// The points that lie furthest out in 26 directions.\n");
+  add_array(out, "Model_Extremes", extremes, direction_count, decimals);
+  lam_text_printf(out, "#declare View = \"%s\";\n\n#include \"materials.inc\"\n", model->picture.view);
+}
+
+/* Materials that materials.inc does not know look as their row in core/material.h says. */
+static void add_materials(lam_text *out, const lam_model *model) {
+  for (int i = 0; i < model->part_count; i++) {
+    const lam_material *material = model->parts[i].material;
+    bool seen = false;
+    for (int j = 0; j < i && !seen; j++) seen = model->parts[j].material == material;
+    if (seen) continue;
+    lam_text_add(out, "#ifndef (Material_");
+    add_identifier(out, material->name);
+    lam_text_add(out, ") #declare Material_");
+    add_identifier(out, material->name);
+    lam_text_add(out, " = texture { Plain_Material(");
+    add_vector(out, lam_v3(material->color[0], material->color[1], material->color[2]), 4);
+    for (int k = 0; k < 2; k++) {
+      lam_text_add(out, ", ");
+      lam_text_number(out, k ? material->roughness : material->metallic, 4);
+    }
+    lam_text_add(out, ") } #end\n");
+  }
+}
+
+/* Every object has a running number: its color in the part mask, and what shifts the pattern of its material. */
+static void add_objects(lam_text *out, const lam_model *model) {
+  int number = 0;
+  lam_text_add(out, "\n// The setting calls this once.\n#macro Model_Parts()\n");
+  for (int i = 0; i < model->part_count; i++) {
+    const lam_part *part = &model->parts[i];
+    for (int j = 0; j < (part->instance_count ? part->instance_count : 1); j++) {
+      lam_text_printf(out, "object { Part_%d", i + 1);
+      if (part->instance_count) {
+        const lam_frame *frame = &part->instances[j];
+        lam_text_add(out, " matrix ");
+        const lam_vec3 rows[4] = {frame->axis[0], frame->axis[1], frame->axis[2], frame->origin};
+        for (int k = 0; k < 12; k++) {
+          lam_vec3 row = rows[k / 3];
+          lam_text_add(out, k ? "," : "<");
+          lam_text_number(out, k % 3 == 0 ? row.x : k % 3 == 1 ? row.y : row.z, 7);
+        }
+        lam_text_add(out, ">");
+      }
+      lam_text_printf(out, " Look(%d, Material_", ++number);
+      add_identifier(out, part->material->name);
+      lam_text_add(out, ") }\n");
+    }
+  }
+  lam_text_add(out, "#end\n");
+}
+
+static lam_status write_scene(const lam_model *model, int i, lam_text *out) {
+  (void)i;
+  lam_vec3 extremes[direction_count], min, max;
+  find_extremes(model, extremes);
+  lam_points_bounds(extremes, direction_count, &min, &max);
+  int decimals = lam_distance(min, max) > 2 ? 5 : 7; /* 10 um on a roof, .1 um on a desk */
+  add_head(out, model, decimals);
+  add_materials(out, model);
+  corner_normals room = make_room(out->arena, model);
+  for (int k = 0; k < model->part_count; k++) add_part(out, &model->parts[k], k + 1, decimals, &room);
+  add_objects(out, model);
+  lam_text_printf(out, "\n#include \"%s.inc\"\n", model->picture.setting);
+  return LAM_OK;
+}
+
+static int count_scenes(const lam_model *model) { return model->part_count > 0; }
+
+static void scene_path(const lam_model *model, int i, lam_text *path) {
+  (void)i;
+  lam_text_printf(path, "%s.pov", model->name);
+}
+
+/* ---- template files ---- */
+
+static const char *const plaza_files[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc",
+                                          "pov/sky.inc",    "pov/ground.inc",    "pov/people.inc",
+                                          "pov/trees.inc",  "pov/plaza.inc",     NULL};
+static const char *const studio_files[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc", "pov/studio.inc",
+                                           NULL};
+
+static const struct setting {
+  const char *name;
+  const char *const *files;
+} settings[] = {{"plaza", plaza_files}, {"studio", studio_files}};
+
+/* A setting of the user's own may use everything that is shared. */
+static const char *const *scene_support(const lam_model *model) {
+  for (size_t k = 0; k < sizeof settings / sizeof *settings; k++) {
+    if (strcmp(settings[k].name, model->picture.setting) == 0) return settings[k].files;
+  }
+  return plaza_files;
+}
+
+extern const lam_format lam_format_pov;
+const lam_format lam_format_pov = {.name = "pov",
+                                   .doc = "POV-Ray scene of the parts in a setting.",
+                                   .count = count_scenes,
+                                   .path = scene_path,
+                                   .write = write_scene,
+                                   .support = scene_support};

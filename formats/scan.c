@@ -1,0 +1,73 @@
+#include "formats/scan.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { longest_number = 63, most_errors = 20, longest_shown = 40 };
+
+static void free_locale(void *handle) { freelocale((locale_t)handle); }
+
+lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors) {
+  lam_scan scan = {.at = bytes, .end = bytes + count, .place = place, .errors = errors};
+  scan.place.line = 1;
+  scan.place.column = 0;
+  scan.errors_before = errors->count;
+  scan.plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+  if (!scan.plain) lam_arena_exhausted(arena);
+  lam_arena_defer(arena, free_locale, scan.plain);
+  return scan;
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+bool lam_scan_word(lam_scan *scan, lam_word *word) {
+  while (scan->at < scan->end && is_blank(*scan->at)) scan->at++;
+  if (scan->at == scan->end || *scan->at == '\n' || *scan->at == '#') return false;
+  word->text = scan->at;
+  while (scan->at < scan->end && *scan->at != '\n' && *scan->at != '#' && !is_blank(*scan->at)) scan->at++;
+  word->length = (int)(scan->at - word->text);
+  return true;
+}
+
+bool lam_scan_line(lam_scan *scan) {
+  const char *newline = scan->at < scan->end ? memchr(scan->at, '\n', (size_t)(scan->end - scan->at)) : NULL;
+  scan->at = newline ? newline + 1 : scan->end;
+  scan->place.line++;
+  return scan->at < scan->end;
+}
+
+bool lam_word_is(lam_word word, const char *text) {
+  return strlen(text) == (size_t)word.length && strncasecmp(word.text, text, (size_t)word.length) == 0;
+}
+
+bool lam_scan_number(lam_scan *scan, lam_word word, const char *what, double *number) {
+  char text[longest_number + 1], *end = text;
+  if (word.length <= longest_number) {
+    memcpy(text, word.text, (size_t)word.length);
+    text[word.length] = 0;
+    if (strspn(text, "+-.0123456789eE") == (size_t)word.length) {
+      *number = strtod_l(text, &end, scan->plain);
+      if (end == text + word.length && isfinite(*number)) return true;
+    }
+  }
+  int shown = word.length < longest_shown ? word.length : longest_shown;
+  lam_error_add(scan->errors, scan->place, NULL, "%s: \"%.*s\" is not a number", what, shown, word.text);
+  return false;
+}
+
+bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point) {
+  double xyz[3];
+  for (int k = 0; k < 3; k++) {
+    lam_word word;
+    if (!lam_scan_word(scan, &word)) {
+      lam_error_add(scan->errors, scan->place, NULL, "%s: %d numbers given, 3 expected", what, k);
+      return false;
+    }
+    if (!lam_scan_number(scan, word, what, &xyz[k])) return false;
+  }
+  *point = lam_v3(xyz[0], xyz[1], xyz[2]);
+  return true;
+}
+
+bool lam_scan_gave_up(const lam_scan *scan) { return scan->errors->count - scan->errors_before >= most_errors; }
+bool lam_scan_failed(const lam_scan *scan) { return scan->errors->count > scan->errors_before; }

@@ -1,0 +1,32 @@
+#include "cli/mesh_files.h"
+#include "core/file.h"
+#include "formats/format.h"
+
+enum { largest_mesh_file = 1 << 30 };
+
+/* The format and content of a mesh file; NULL with a message. */
+static const lam_format *open_mesh(lam_arena *arena, const char *path, lam_errors *errors, char **bytes, size_t *count) {
+  const lam_format *format = lam_format_for(path);
+  if (!format) {
+    lam_error_add(errors, (lam_place){.file = path}, NULL, "not a mesh file that is read; expected .obj or .stl");
+    return NULL;
+  }
+  return lam_file_read(arena, path, largest_mesh_file, errors, bytes, count) == LAM_OK ? format : NULL;
+}
+
+bool lam_input_mesh(lam_arena *arena, const char *path, lam_errors *errors, lam_mesh *mesh) {
+  char *bytes;
+  size_t count;
+  const lam_format *format = open_mesh(arena, path, errors, &bytes, &count);
+  if (!format) return false;
+  if (format->read_mesh) return format->read_mesh(arena, bytes, count, (lam_place){.file = path}, errors, mesh);
+  lam_error_add(errors, (lam_place){.file = path}, NULL, "%s has no quads; expected .obj", format->name);
+  return false;
+}
+
+bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors, lam_trimesh *mesh) {
+  char *bytes;
+  size_t count;
+  const lam_format *format = open_mesh(arena, path, errors, &bytes, &count);
+  return format && format->read_triangles(arena, bytes, count, (lam_place){.file = path}, errors, mesh);
+}

@@ -1,0 +1,12 @@
+/* Mesh files for nets and references, in any format that is read. */
+#ifndef LAM_CLI_MESH_FILES_H
+#define LAM_CLI_MESH_FILES_H
+
+#include "core/error.h"
+#include "core/model.h"
+
+/* The quads / triangles of a file. False with messages when it cannot be read. */
+bool lam_input_mesh(lam_arena *arena, const char *path, lam_errors *errors, lam_mesh *mesh);
+bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors, lam_trimesh *mesh);
+
+#endif

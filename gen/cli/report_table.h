@@ -1,0 +1,12 @@
+/* The report as a short table for a person. */
+#ifndef LAM_CLI_REPORT_TABLE_H
+#define LAM_CLI_REPORT_TABLE_H
+
+#include "core/model.h"
+#include <stdio.h>
+
+void lam_report_print(const lam_report *report, FILE *out);
+/* Measures alone, indented by two. */
+void lam_measures_print(const lam_measure *measures, int count, FILE *out);
+
+#endif

@@ -1,0 +1,39 @@
+#include "cli/terminal.h"
+
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { bar_width = 20, refresh_ms = 80 };
+
+typedef struct terminal {
+  const char *stage;
+  double told;
+} terminal;
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void tell(void *context, const char *stage, double fraction, const char *detail) {
+  terminal *t = context;
+  if (!stage) {
+    fputs("\r\033[K", stderr);
+    return;
+  }
+  double time = now();
+  if (stage == t->stage && time - t->told < refresh_ms * 1e-3) return;
+  t->stage = stage;
+  t->told = time;
+  char bar[bar_width + 1];
+  for (int i = 0; i < bar_width; i++) bar[i] = fraction >= 0 && i < fraction * bar_width ? '#' : '.';
+  bar[bar_width] = 0;
+  fprintf(stderr, "\r\033[K%-16s [%s] %s", stage, bar, detail ? detail : "");
+}
+
+lam_progress lam_terminal_progress(lam_arena *arena, bool quiet) {
+  if (quiet || !isatty(STDERR_FILENO)) return (lam_progress){0};
+  return (lam_progress){tell, LAM_NEW(arena, terminal, 1)};
+}

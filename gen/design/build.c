@@ -1,0 +1,243 @@
+#include "design/build.h"
+#include "core/mesh.h"
+#include "fab/flat.h"
+#include "fab/lamella_checks.h"
+#include "fab/sheet.h"
+#include "fab/workshop.h"
+#include "net/optimize.h"
+#include "net/start.h"
+#include "surf/place.h"
+
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+enum { surface_grid = 32 }; /* cells of the mesh that stands for a surface without a net */
+
+typedef struct pipeline {
+  lam_arena *arena;
+  const lam_design *design;
+  const lam_loader *loader;
+  const lam_progress *progress;
+  lam_errors *errors;
+  lam_model *model;
+  lam_surface surface;
+  lam_net *net;
+  lam_vec3 *normals;
+  int stage_count;
+  lam_stage stages[3]; /* net, sheets; parts bring their own */
+  double since;
+} pipeline;
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static lam_stage *begin_stage(pipeline *p, const char *name) {
+  lam_progress_tell(p->progress, name, 0, "");
+  p->since = now();
+  lam_stage *stage = &p->stages[p->stage_count++];
+  *stage = (lam_stage){.name = name, .converged = true, .reason = "done", .iterations = -1};
+  return stage;
+}
+
+static void end_stage(const pipeline *p, lam_stage *stage) { stage->seconds = now() - p->since; }
+
+/* ---- the initial net ---- */
+
+static bool load_mesh(pipeline *p, const lam_net_common *common, lam_mesh *mesh) {
+  lam_place place = p->design->net.place;
+  if (p->loader && p->loader->mesh)
+    return p->loader->mesh(p->loader->context, p->arena, common->from.file, place, p->errors, mesh);
+  lam_error_add(p->errors, place, "net.from.file", "%s cannot be read: this caller loads no files", common->from.file);
+  return false;
+}
+
+static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
+  const lam_design *design = p->design;
+  if (common && common->from.file) return load_mesh(p, common, mesh);
+  if (!design->surface.head) {
+    lam_error_add(p->errors, design->net.place, "surface", "not given; expected a surface, or net.from: {file: ...}");
+    return false;
+  }
+  const lam_surface_place *placing = design->surface.common;
+  static const int coarse[2] = {surface_grid, surface_grid};
+  return lam_net_start(p->arena, &p->surface, kind ? kind->chart : LAM_CHART_NATURAL, common ? common->grid : coarse,
+                       common ? common->hole : 0, placing, design->surface.place, p->errors, mesh);
+}
+
+static bool build_net(pipeline *p, const lam_mesh *mesh, lam_place place) {
+  return lam_net_build(p->arena, mesh, place, p->errors, p->net);
+}
+
+static bool refine(pipeline *p, lam_mesh *mesh, int times, lam_place place) {
+  if (!build_net(p, mesh, place)) return false;
+  for (int i = 0; i < times; i++) {
+    *mesh = lam_net_four_point(p->arena, p->net);
+    if (!build_net(p, mesh, place)) return false;
+  }
+  return true;
+}
+
+static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_common *common) {
+  const lam_design *design = p->design;
+  lam_stage *stage = begin_stage(p, "net");
+  lam_net_job job = {kind, design->net.params, common, NULL, design->net.place, p->progress};
+  lam_trimesh reference;
+  if (common->reference_given && common->reference.file) {
+    if (!p->loader || !p->loader->triangles(p->loader->context, p->arena, common->reference.file, design->net.place,
+                                            p->errors, &reference))
+      return false;
+    job.reference = &reference;
+  }
+  lam_net_result result;
+  if (!lam_net_optimize(p->arena, &job, p->net, p->errors, &result)) return false;
+  stage->name = lam_arena_printf(p->arena, "net: %s", kind->head.name);
+  stage->converged = result.converged;
+  stage->reason = result.reason;
+  stage->iterations = result.solution.iterations;
+  stage->residual = result.solution.residual;
+  stage->measure_count = result.measure_count;
+  stage->measures = result.measures;
+  lam_stage_note(p->arena, stage, "%d vertices, %d faces, %d unknowns, %d equations", p->net->mesh.vertex_count,
+                 p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
+  lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
+  if (result.skipped) lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
+  if (!result.converged && result.solution.worst)
+    lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);
+  end_stage(p, stage);
+  return true;
+}
+
+static bool make_net(pipeline *p) {
+  const lam_design *design = p->design;
+  const lam_net_kind *kind = (const lam_net_kind *)design->net.head;
+  const lam_net_common *common = kind ? design->net.common : NULL;
+  if (!kind && !design->surface.head) return true; /* nothing but sheets or a picture */
+  lam_mesh mesh;
+  lam_place place = kind ? design->net.place : design->surface.place;
+  p->net = LAM_NEW(p->arena, lam_net, 1);
+  if (!initial_mesh(p, kind, common, &mesh) || !refine(p, &mesh, common ? common->subdivide : 0, place)) return false;
+  if (kind) {
+    if (common->noise > 0)
+      lam_mesh_perturb(&p->net->mesh, common->noise * lam_net_mean_edge(p->net, p->net->mesh.vertices), common->seed);
+    if (!solve_net(p, kind, common)) return false;
+    const lam_surface_place *placing = design->surface.head ? design->surface.common : NULL;
+    bool held = common->handles.count > 0 || common->boundary != LAM_BOUNDARY_FREE || common->reference_given;
+    if (placing && placing->ground && !held) lam_mesh_ground(&p->net->mesh);
+  }
+  p->normals = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
+  lam_net_normals(p->net, p->net->mesh.vertices, p->normals);
+  p->model->net = &p->net->mesh;
+  p->model->polyline_count = p->net->polyline_count;
+  p->model->polylines = p->net->polylines;
+  return true;
+}
+
+/* ---- where it stands ---- */
+
+/* Supports: boundary vertices that no neighbor is lower than, within a fiftieth of the height above the lowest. */
+static void find_supports(pipeline *p) {
+  const lam_net *net = p->net;
+  const lam_vec3 *x = net->mesh.vertices;
+  lam_vec3 low, high;
+  lam_points_bounds(x, net->mesh.vertex_count, &low, &high);
+  lam_vec3 *supports = LAM_NEW(p->arena, lam_vec3, net->mesh.vertex_count);
+  for (int v = 0; v < net->mesh.vertex_count; v++) {
+    bool lowest = net->boundary[v] && x[v].z <= low.z + .02 * (high.z - low.z);
+    for (int i = net->ring_start[v]; i < net->ring_start[v + 1]; i++) lowest &= x[net->ring[i]].z >= x[v].z;
+    if (lowest) supports[p->model->support_count++] = x[v];
+  }
+  p->model->supports = supports;
+}
+
+/* ---- parts and sheets ---- */
+
+static bool make_parts(pipeline *p, lam_workshop *workshop) {
+  const lam_list *parts = &p->design->parts;
+  int before = p->errors->count;
+  if (parts->count && !p->net) {
+    lam_error_add(p->errors, ((const lam_row *)parts->items)->place, "parts", "there is no net to make parts from");
+    return false;
+  }
+  for (int i = 0; i < parts->count; i++) {
+    const lam_row *row = (const lam_row *)parts->items + i;
+    const lam_part_kind *kind = (const lam_part_kind *)row->head;
+    lam_progress_tell(p->progress, kind->head.name, (double)i / parts->count, "");
+    kind->make(workshop, row->params, row->place);
+    if (p->errors->count > before) return false;
+  }
+  if (parts->count) {
+    lam_lamella_flats(workshop);
+    lam_workshop_clash(workshop);
+  }
+  return p->errors->count == before;
+}
+
+static bool make_sheets(pipeline *p, const lam_workshop *workshop) {
+  const lam_sheet_keys *keys = &p->design->sheets;
+  bool any = false;
+  for (int i = 0; i < workshop->part_count; i++) any |= workshop->parts[i].flat != NULL;
+  if (!any) return true;
+  int before = p->errors->count;
+  lam_stage *stage = begin_stage(p, "sheets");
+  lam_sheet_options options = {{keys->stock[0], keys->stock[1]}, keys->kerf, keys->margin, keys->spacing};
+  lam_sheets sheets = lam_sheets_make(p->arena, workshop->parts, workshop->part_count, options,
+                                      (lam_place){.file = p->design->path}, p->errors);
+  if (p->errors->count > before) return false;
+  p->model->sheet_count = sheets.count;
+  p->model->sheets = sheets.sheets;
+  double used = 0, least = 1;
+  for (int i = 0; i < sheets.count; i++) {
+    used += sheets.sheets[i].used / sheets.count;
+    least = fmin(least, sheets.sheets[i].used);
+  }
+  lam_stage_measure(p->arena, stage, "sheet_count", "", sheets.count, sheets.count, sheets.count);
+  lam_stage_measure(p->arena, stage, "sheet_used", "", 1 - least, used, sheets.count);
+  end_stage(p, stage);
+  return true;
+}
+
+static void collect_report(pipeline *p, const lam_workshop *workshop) {
+  lam_report *report = LAM_NEW(p->arena, lam_report, 1);
+  report->stages = LAM_NEW(p->arena, lam_stage, p->stage_count + workshop->stage_count);
+  int own = 0;
+  if (own < p->stage_count && strcmp(p->stages[own].name, "sheets") != 0)
+    report->stages[report->stage_count++] = p->stages[own++];
+  for (int i = 0; i < workshop->stage_count; i++) report->stages[report->stage_count++] = workshop->stages[i];
+  while (own < p->stage_count) report->stages[report->stage_count++] = p->stages[own++];
+  p->model->report = report;
+}
+
+bool lam_report_converged(const lam_report *report) {
+  for (int i = 0; i < report->stage_count; i++)
+    if (!report->stages[i].converged) return false;
+  return true;
+}
+
+bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader, const lam_progress *progress,
+                      lam_errors *errors, lam_model *model) {
+  int before = errors->count;
+  *model = (lam_model){.name = design->name, .title = design->title, .source = design->source, .version = LAM_VERSION};
+  pipeline p = {.arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
+  if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
+  if (errors->count > before || !make_net(&p)) return false;
+  lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
+  *workshop = (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
+  if (!make_parts(&p, workshop)) return false;
+  model->part_count = workshop->part_count;
+  model->parts = workshop->parts;
+  model->record_kind_count = workshop->record_kind_count;
+  model->record_kinds = workshop->record_kinds;
+  model->crossing_count = workshop->crossing_count;
+  model->crossings = workshop->crossings;
+  if (!make_sheets(&p, workshop)) return false;
+  if (p.net) find_supports(&p);
+  if (design->has_render || workshop->part_count || p.net)
+    model->picture = (lam_picture){design->render.setting, design->render.view, design->render.size[0], design->render.size[1],
+                                   design->render.quality};
+  collect_report(&p, workshop);
+  return true;
+}

@@ -1,0 +1,107 @@
+#include "design/design.h"
+#include "design/fill.h"
+#include "design/tree.h"
+#include "net/kind.h"
+#include "surf/place.h"
+
+#include <string.h>
+
+/* The tree of a design with its overrides; NULL, with a message, when there is nothing to fill from. */
+static lam_node *read_tree(lam_arena *arena, const char *bytes, size_t count, lam_place origin,
+                           const lam_override *overrides, int override_count, lam_errors *errors) {
+  int before = errors->count;
+  lam_node *root = lam_tree_read(arena, bytes, count, origin, false, errors);
+  if (!root && errors->count > before) return NULL;
+  for (int i = 0; i < override_count; i++) lam_tree_override(arena, &root, overrides[i].text, errors);
+  if (root && !lam_node_is_empty(root)) return root;
+  origin.line = origin.column = 1;
+  lam_error_add(errors, origin, NULL, "the file is empty; expected a map that begins with 'lamella: 1'");
+  return NULL;
+}
+
+bool lam_keys_parse(lam_arena *arena, const lam_key *keys, const char *bytes, size_t count, const char *path,
+                    lam_errors *errors, void *params) {
+  int before = errors->count;
+  lam_node *root = read_tree(arena, bytes, count, (lam_place){path, 0, 0}, NULL, 0, errors);
+  lam_filler filler = {arena, errors};
+  if (root) lam_fill_keys(&filler, keys, root, NULL, params);
+  return errors->count == before;
+}
+
+/* ---- what tables cannot say ---- */
+
+static const lam_node *find(const lam_node *map, const char *key) {
+  return map && map->type == LAM_NODE_MAP ? lam_node_find(map, key) : NULL;
+}
+
+/* Names become parts of file names: nothing but letters, digits, - and _, not at the start -, not too long. */
+static void check_name(const lam_filler *filler, const lam_node *node, const lam_trail *trail) {
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+  enum { longest = 64 };
+  if (!node || node->type != LAM_NODE_SCALAR || lam_node_is_empty(node)) return;
+  size_t length = strlen(node->text);
+  if (length > 0 && length <= longest && node->text[0] != '-' && strspn(node->text, letters) == length) return;
+  lam_text text = lam_fill_given(filler, node);
+  lam_text_printf(&text, "1 to %d letters, digits, - and _, with no - at the start", longest);
+  lam_fill_complain(filler, node->place, trail, &text);
+}
+
+static void complain_alone(const lam_filler *filler, const lam_node *root, const char *key, const char *words) {
+  lam_trail trail = {NULL, key, 0};
+  lam_text text = {.arena = filler->arena};
+  lam_text_add(&text, words);
+  lam_fill_complain(filler, find(root, key)->place, &trail, &text);
+}
+
+/* A stage needs the one before it. */
+static void check_stages(const lam_filler *filler, const lam_node *root, const lam_design *design) {
+  const lam_net_common *net = design->net.common;
+  if (design->net.head && !net->from.file && !find(root, "surface")) {
+    complain_alone(filler, root, "net", "a net without a surface; expected surface: {...}, or from: {file: mesh.obj}");
+  }
+  if (design->parts.count > 0 && !find(root, "net")) {
+    complain_alone(filler, root, "parts", "parts without a net; expected net: {...}");
+  }
+}
+
+/* True when a message is about the value of key or about one inside it. */
+static bool has_message(const lam_errors *errors, const char *key) {
+  size_t length = strlen(key);
+  for (const lam_error *error = errors->first; error; error = error->next) {
+    if (error->key && strncmp(error->key, key, length) == 0 && strchr(".[", error->key[length])) return true;
+  }
+  return false;
+}
+
+static void check_root(const lam_filler *filler, const lam_node *root, const lam_design *design) {
+  lam_trail name = {NULL, "name", 0}, render = {NULL, "render", 0};
+  lam_trail setting = {&render, "setting", 0}, view = {&render, "view", 0};
+  check_name(filler, find(root, "name"), &name);
+  check_name(filler, find(find(root, "render"), "setting"), &setting);
+  check_name(filler, find(find(root, "render"), "view"), &view);
+  check_stages(filler, root, design);
+  if (design->surface.head && !has_message(filler->errors, "surface"))
+    lam_surface_place_check(design->surface.common, design->surface.place, filler->errors);
+}
+
+bool lam_design_parse(lam_arena *arena, const char *bytes, size_t count, const char *path,
+                      const lam_override *overrides, int override_count, lam_errors *errors, lam_design *design) {
+  int before = errors->count;
+  *design = (lam_design){.path = lam_arena_copy(arena, path)};
+  lam_node *root = read_tree(arena, bytes, count, (lam_place){design->path, 0, 0}, overrides, override_count, errors);
+  if (!root) return false;
+  lam_filler filler = {arena, errors};
+  if (root->type != LAM_NODE_MAP) {
+    lam_text text = lam_fill_given(&filler, root);
+    lam_text_add(&text, "a map that begins with 'lamella: 1'");
+    lam_fill_complain(&filler, root->place, NULL, &text);
+    return false;
+  }
+  lam_fill_keys(&filler, lam_design_keys, root, NULL, design);
+  check_root(&filler, root, design);
+  design->language = 1;
+  design->render.quality = lam_qualities[design->render.quality_index];
+  if (!design->title) design->title = design->name;
+  if (!design->source) design->source = "";
+  return errors->count == before;
+}

@@ -1,0 +1,74 @@
+#include "fab/path.h"
+
+#include <math.h>
+#include <string.h>
+
+lam_path *lam_paths_add(lam_paths *paths, lam_layer layer, bool closed, int count, const lam_vec2 *points) {
+  if (paths->count == paths->capacity) {
+    int capacity = paths->capacity ? 2 * paths->capacity : 32;
+    lam_path *items = LAM_NEW(paths->arena, lam_path, capacity);
+    if (paths->count) memcpy(items, paths->items, (size_t)paths->count * sizeof *items);
+    paths->items = items;
+    paths->capacity = capacity;
+  }
+  lam_path *path = &paths->items[paths->count++];
+  *path = (lam_path){layer, closed, false, count, LAM_NEW(paths->arena, lam_vec2, count)};
+  if (count) memcpy(path->points, points, (size_t)count * sizeof *points);
+  return path;
+}
+
+/* A regular n-gon of circumradius R has the area n/2 R^2 sin(2 pi/n); it equals pi r^2 for R = r sqrt(2 pi / (n sin(2 pi/n))). */
+void lam_paths_hole(lam_paths *paths, lam_vec2 center, double diameter) {
+  enum { CORNERS = 48 };
+  double step = 2 * M_PI / CORNERS;
+  double radius = diameter / 2 * sqrt(step / sin(step));
+  lam_vec2 points[CORNERS];
+  for (int i = 0; i < CORNERS; i++)
+    points[i] = lam_v2(center.x + radius * cos(step * i), center.y + radius * sin(step * i));
+  lam_paths_add(paths, LAM_LAYER_CUT, true, CORNERS, points)->hole = true;
+}
+
+lam_vec2 lam_placement_apply(const lam_placement *placement, lam_vec2 point) {
+  return lam_v2(placement->cosine * point.x - placement->sine * point.y + placement->move.x,
+                placement->sine * point.x + placement->cosine * point.y + placement->move.y);
+}
+
+lam_path *lam_paths_placed(lam_arena *arena, const lam_path *paths, int count, const lam_placement *placement) {
+  lam_path *placed = LAM_NEW(arena, lam_path, count);
+  for (int i = 0; i < count; i++) {
+    placed[i] = paths[i];
+    placed[i].points = LAM_NEW(arena, lam_vec2, paths[i].count);
+    for (int k = 0; k < paths[i].count; k++) placed[i].points[k] = lam_placement_apply(placement, paths[i].points[k]);
+  }
+  return placed;
+}
+
+void lam_paths_bounds(const lam_path *paths, int count, lam_vec2 *min, lam_vec2 *max) {
+  bool any = false;
+  *min = *max = lam_v2(0, 0);
+  for (int i = 0; i < count; i++)
+    for (int k = 0; k < paths[i].count; k++) {
+      lam_vec2 point = paths[i].points[k];
+      if (!any) *min = *max = point;
+      any = true;
+      *min = lam_v2(fmin(min->x, point.x), fmin(min->y, point.y));
+      *max = lam_v2(fmax(max->x, point.x), fmax(max->y, point.y));
+    }
+}
+
+double lam_path_area(const lam_path *path) {
+  double twice = 0;
+  for (int i = 0, j = path->count - 1; i < path->count; j = i++) {
+    lam_vec2 a = path->points[j], b = path->points[i];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
+
+double lam_paths_area(const lam_path *paths, int count) {
+  double area = 0;
+  for (int i = 0; i < count; i++)
+    if (paths[i].layer == LAM_LAYER_CUT && paths[i].closed)
+      area += fabs(lam_path_area(&paths[i])) * (paths[i].hole ? -1 : 1);
+  return area;
+}

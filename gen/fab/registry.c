@@ -1,0 +1,12 @@
+/* The list of parts. To add one: write its file, and add its line here. */
+#include "fab/workshop.h"
+
+#define PARTS(row) row(lamella) row(node_connector)
+
+#define DECLARE(name) extern const lam_part_kind lam_part_##name;
+PARTS(DECLARE)
+
+#define POINT(name) &lam_part_##name.head,
+static const lam_row_head *const rows[] = {PARTS(POINT)};
+
+const lam_registry lam_part_kinds = {"parts", "part", rows, sizeof rows / sizeof rows[0]};

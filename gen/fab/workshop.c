@@ -1,0 +1,57 @@
+#include "fab/workshop.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Room for one more item of the given size: the array itself, or a copy twice as large. */
+static void *room(lam_arena *arena, void *items, int count, int *capacity, size_t size) {
+  if (count < *capacity) return items;
+  *capacity = *capacity ? 2 * *capacity : 16;
+  void *larger = lam_arena_alloc(arena, (size_t)*capacity, size);
+  if (count) memcpy(larger, items, size * (size_t)count);
+  return larger;
+}
+
+lam_part *lam_workshop_part(lam_workshop *w, lam_part part) {
+  w->parts = room(w->arena, w->parts, w->part_count, &w->part_capacity, sizeof part);
+  w->parts[w->part_count] = part;
+  return &w->parts[w->part_count++];
+}
+
+void lam_workshop_crossing(lam_workshop *w, lam_crossing crossing) {
+  w->crossings = room(w->arena, w->crossings, w->crossing_count, &w->crossing_capacity, sizeof crossing);
+  w->crossings[w->crossing_count++] = crossing;
+}
+
+void lam_workshop_record_kind(lam_workshop *w, lam_record_kind kind) {
+  w->record_kinds = room(w->arena, w->record_kinds, w->record_kind_count, &w->record_kind_capacity, sizeof kind);
+  w->record_kinds[w->record_kind_count++] = kind;
+}
+
+lam_stage *lam_workshop_stage(lam_workshop *w, const char *name) {
+  w->stages = room(w->arena, w->stages, w->stage_count, &w->stage_capacity, sizeof *w->stages);
+  lam_stage *stage = &w->stages[w->stage_count++];
+  *stage = (lam_stage){.name = name, .converged = true, .iterations = -1};
+  return stage;
+}
+
+void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
+                       long count) {
+  int capacity = stage->measure_count; /* a stage has few measures: the array is copied for each */
+  lam_measure *measures = room(arena, stage->measures, stage->measure_count, &capacity, sizeof *measures);
+  measures[stage->measure_count++] = (lam_measure){name, unit, max, mean, count};
+  stage->measures = measures;
+}
+
+void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) {
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  int capacity = stage->note_count;
+  const char **notes = room(arena, stage->notes, stage->note_count, &capacity, sizeof *notes);
+  notes[stage->note_count++] = lam_arena_copy(arena, text);
+  stage->notes = notes;
+}

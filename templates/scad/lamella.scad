@@ -1,0 +1,115 @@
+// Lamellas: strips of sheet that stand on a net and cross in half-lap slots. Functions only: pull it in with
+// use <lamella.scad>. Millimetres and degrees.
+//
+// A record is [name, family, stations]. A station is a cross-section of the strip:
+//   [x, y, z,  tx, ty, tz,  mx, my, mz,  s, partner, slot_angle, slot_low, slot_high]
+// a point of the middle line, the unit direction of travel t, the unit height direction m, the arc length s; at a
+// crossing the index of the partner (otherwise -1), the smallest angle between the two while the grid is erected, and
+// how far the partner's middle line moves along t meanwhile. With b = m x t the material is
+//   { x + h m + y b : |h| <= height/2, |y| <= thickness/2 }, interpolated between stations.
+use <parts.scad>
+
+// The least clearance, for parts must not touch.
+hair = 0.01;
+function free(clearance) = clearance >= hair ? clearance :
+  echo(str("clearance ", clearance, " would let parts touch: ", hair, " is used")) hair;
+
+// A slot leaves room for the partner and its shadow at an angle: thickness (1 + |cos a|) / sin a + 2 clearance.
+function slot_width(angle, thickness, clearance) = thickness * (1 + abs(cos(angle))) / sin(angle) + 2 * clearance;
+// Where the slot of a crossing station begins and ends along t.
+function slot(q, thickness, clearance) = let(half = slot_width(q[11], thickness, clearance) / 2)
+  [q[12] - half, q[13] + half];
+function is_crossing(q) = q[10] >= 0;
+// Says which strips have slots that run into each other or past an end; gives the stations.
+function checked(name, stations, thickness, clearance) =
+  let(at = [for (q = stations) is_crossing(q) ? q[9] * [1, 1] + slot(q, thickness, clearance) : q[9] * [1, 1]],
+      bad = [for (i = [1 : 1 : len(at) - 1]) if (at[i][0] <= at[i - 1][1]) round(at[i][0])])
+  len(bad) == 0 ? stations :
+    echo(str("the slots of ", name, " leave no material at ", bad, " mm from its start")) stations;
+// Slots of family A open up, those of family B open down; their floors leave the clearance between the two.
+function floor_height(family, clearance) = family == 0 ? -clearance : clearance;
+
+// ---- solids ----
+// A section has six points: 2 level + side, the levels at the bottom, the floor of the slots and the top. A crossing
+// has two sections, at the edges of its slot.
+function section_count(stations) = len(stations) + len([for (q = stations) if (is_crossing(q)) 1]);
+
+function strip_points(stations, section, thickness, clearance) = [for (q = stations) let(
+  x = [q[0], q[1], q[2]], t = [q[3], q[4], q[5]], m = [q[6], q[7], q[8]], b = cross(m, t))
+  each is_crossing(q) ?
+    let(edge = slot(q, thickness, clearance))
+      concat(section * [x + edge[0] * t, m, b], section * [x + edge[1] * t, m, b]) :
+    section * [x, m, b]];
+
+// Faces from one section to the next, as indices from the first point of the section.
+function side_faces(level) = let(a = 2 * level, c = a + 2)
+  [[a + 1, a + 7, c + 7], [a + 1, c + 7, c + 1], [a, c + 6, a + 6], [a, c, c + 6]];
+function up_faces(level) = let(a = 2 * level) [[a, a + 1, a + 7], [a, a + 7, a + 6]];
+function down_faces(level) = let(a = 2 * level) [[a, a + 7, a + 1], [a, a + 6, a + 7]];
+// Faces across a section, looking along t and against it.
+function front_faces(level) = let(a = 2 * level) [[a, a + 2, a + 3], [a, a + 3, a + 1]];
+function back_faces(level) = let(a = 2 * level) [[a, a + 3, a + 2], [a, a + 1, a + 3]];
+function shifted(faces, sections) = [for (f = faces) f + 6 * sections * [1, 1, 1]];
+
+// A cell with both levels, and with one level only.
+function full_cell() = concat(side_faces(0), side_faces(1), down_faces(0), up_faces(2));
+function half_cell(level) = concat(side_faces(level), down_faces(level), up_faces(level + 1));
+
+function strip_faces(stations, family, slots, first) =
+  let(open = family == 0 ? 1 : 0, // the level that slots leave out
+      last = len(stations) - 1,
+      section = starts([for (q = stations) is_crossing(q) ? 2 : 1]),
+      from = slots && is_crossing(stations[0]), to = slots && is_crossing(stations[last]),
+      plain = full_cell(),
+      before = slots ? front_faces(open) : [],
+      slotted = slots ? half_cell(1 - open) : plain,
+      after = concat(slots ? shifted(back_faces(open), 1) : [], shifted(plain, 1)),
+      crossing = concat(before, slotted, after))
+  concat(
+    [for (level = [0, 1]) if (!from || level != open) for (f = back_faces(level)) f + first * [1, 1, 1]],
+    [for (i = [0 : 1 : last]) let(step = (first + 6 * section[i]) * [1, 1, 1])
+      for (f = !is_crossing(stations[i]) ? (i < last ? plain : []) :
+               i == 0 ? concat(slotted, after) : i == last ? concat(before, slotted) : crossing) f + step],
+    let(end = first + 6 * (section_count(stations) - 1))
+    [for (level = [0, 1]) if (!to || level != open) for (f = front_faces(level)) f + end * [1, 1, 1]]);
+
+// The solid of records of one family.
+function lamella_solid(records, height, thickness, clearance, slots = true) = len(records) == 0 ? [[], []] :
+  let(gap = free(clearance), family = records[0][1], floor = floor_height(family, gap),
+      section = [for (h = [-height / 2, floor, height / 2]) for (y = [-thickness / 2, thickness / 2]) [1, h, y]],
+      first = 6 * starts([for (r = records) section_count(r[2])]))
+  [[for (r = records) each strip_points(slots ? checked(r[0], r[2], thickness, gap) : r[2], section, thickness, gap)],
+   [for (i = [0 : 1 : len(records) - 1]) each strip_faces(records[i][2], family, slots, first[i])]];
+
+// ---- flat outlines ----
+// The developed strip seen from the side that -b points to: a rectangle from s = 0 to the end, |h| <= height/2, with
+// its slots.
+function strip_polygon(stations, family, height, thickness, clearance, slots) =
+  let(end = stations[len(stations) - 1][9], floor = floor_height(family, clearance),
+      edge = family == 0 ? height / 2 : -height / 2)
+  concat([[0, -edge], [0, edge]],
+    [for (q = stations) if (slots && is_crossing(q)) let(at = slot(q, thickness, clearance))
+      each [[q[9] + at[0], edge], [q[9] + at[0], floor], [q[9] + at[1], floor], [q[9] + at[1], edge]]],
+    [[end, edge], [end, -edge]]);
+
+// Lettering [text, [x, y], angle, size]: the partner's name at each crossing, on the level without the slot, reading
+// along h; the strip's own name at both ends. Letters are about .8 size wide.
+function fitted(text, width, height) = min(width / (.8 * len(text)), height);
+function strip_marks(name, stations, names, family, height) =
+  let(last = len(stations) - 1,
+      at = [for (q = stations) if (is_crossing(q)) q[9]],
+      end = stations[last][9], room = len(at) == 0 ? [end, end] : [at[0], end - at[len(at) - 1]],
+      gaps = [for (i = [1 : 1 : len(at) - 1]) at[i] - at[i - 1]], gap = len(gaps) == 0 ? end : min(gaps),
+      side = family == 0 ? -height / 4 : height / 4)
+  concat(
+    [for (q = stations) if (is_crossing(q)) let(text = names[q[10]])
+      [text, [q[9], side], 90, fitted(text, .4 * height, min(.6 * gap, .15 * height))]],
+    [for (k = [0, 1]) [name, [k == 0 ? room[0] / 2 : end - room[1] / 2, 0], 0,
+      fitted(name, .7 * room[k], .2 * height)]]);
+
+// Outlines [name, polygon, marks, pitch] of records; names are those of all parts, which partners refer to.
+function lamella_outlines(records, names, height, thickness, clearance, slots = true) =
+  let(gap = free(clearance))
+  [for (r = records) let(stations = slots ? checked(r[0], r[2], thickness, gap) : r[2])
+    [r[0], strip_polygon(stations, r[1], height, thickness, gap, slots),
+     strip_marks(r[0], stations, names, r[1], height), 1.2 * height]];
