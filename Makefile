@@ -16,35 +16,61 @@ else
   $(error config is release, debug or sanitize, not "$(config)")
 endif
 
-CC ?= cc
-CXX ?= c++
 warn     := -Wall -Wextra -Werror -Wshadow
 includes := -Igen -I. -isystem /usr/include/suitesparse
+# no contraction of a*b+c: the same result on every processor
 CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -ffp-contract=off $(opt) $(warn) $(includes) -DLAM_VERSION='"$(VERSION)"' -MMD -MP $(CFLAGS)
 CXXFLAGS_ = -std=c++17 -fPIC $(opt) $(warn) $(includes) -MMD -MP $(CXXFLAGS)
 libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lstdc++ -lm
+
+# Debian packages: to build; for pictures and OpenSCAD; for the tests
+packages_build := gcc g++ libc6-dev libsuitesparse-dev libopenblas-dev libcgal-dev libtinygltf-dev \
+                  libpolyclipping-dev libyaml-dev libjansson-dev libpng-dev
+packages_show  := povray povray-includes
+packages_check := $(packages_show) libcmocka-dev perl openscad admesh python3-ezdxf nodejs npm
+packages_pics  := $(packages_show) netpbm libjpeg-turbo-progs
 
 cli_src := $(wildcard gen/cli/*.c)
 lib_src := $(filter-out $(cli_src),$(wildcard gen/*/*.c) $(wildcard formats/*.c))
 shims   := $(wildcard gen/*/*_shim.cc) $(wildcard formats/*_shim.cc)
 lib_obj := $(lib_src:%.c=$(out)/obj/%.o) $(shims:%.cc=$(out)/obj/%.o)
 cli_obj := $(cli_src:%.c=$(out)/obj/%.o)
+tests   := $(patsubst tests/%.c,$(out)/tests/%,$(wildcard tests/unit/test_*.c) $(wildcard tests/torture/*.c))
+designs := $(patsubst templates/designs/%.yaml,%,$(wildcard templates/designs/*.yaml))
+gallery := $(designs:%=renders/gallery/%.jpg)
 
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: all demo check models renders bench accept layers format install help clean setup
+.SECONDARY:
+.PHONY: all demo check models renders bench accept layers format install help clean \
+        setup-build setup-demo setup-check setup-pics
 
 all: $(out)/lamella $(out)/liblamella.so
 
+# ---- packages: installed where they are missing, otherwise nothing happens ----
+define install_missing
+@command -v dpkg-query >/dev/null || { echo "not Debian: install by hand: $(1)"; exit 0; }; \
+missing=$$(for p in $(1); do dpkg-query -W -f='$${db:Status-Abbrev}' $$p 2>/dev/null | grep -q '^ii' || \
+  { [ $$p = nodejs -o $$p = npm ] && command -v npm >/dev/null; } || echo $$p; done); \
+[ -z "$$missing" ] && exit 0; \
+echo "installing Debian packages:" $$missing; \
+sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
+$$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo apt-get install -qq -y --no-install-recommends $$missing >/dev/null
+endef
+setup-build: ; $(call install_missing,$(packages_build))
+setup-demo:  ; $(call install_missing,$(packages_build) $(packages_show))
+setup-check: ; $(call install_missing,$(packages_build) $(packages_check))
+setup-pics:  ; $(call install_missing,$(packages_build) $(packages_pics))
+
+# ---- program and library ----
 $(out)/liblamella.a: $(lib_obj)
 	@rm -f $@.part && ar rcsD $@.part $^ && mv $@.part $@
 $(out)/liblamella.so: $(lib_obj)
 	@echo "  link $@"
-	@$(CC) -shared $(opt) -Wl,-soname,liblamella.so.0 -o $@.part $^ $(libs) && mv $@.part $@
+	@$(CXX) -shared $(opt) -Wl,-soname,liblamella.so.0 -o $@.part $^ $(libs) && mv $@.part $@
 $(out)/lamella: $(cli_obj) $(out)/liblamella.a
 	@echo "  link $@"
-	@$(CC) $(opt) -o $@.part $(cli_obj) $(out)/liblamella.a $(libs) && mv $@.part $@
-
+	@$(CXX) $(opt) -o $@.part $(cli_obj) $(out)/liblamella.a $(libs) && mv $@.part $@
 $(out)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "  cc   $<"
@@ -53,4 +79,75 @@ $(out)/obj/%.o: %.cc
 	@mkdir -p $(@D)
 	@echo "  c++  $<"
 	@$(CXX) $(CXXFLAGS_) -c $< -o $@
--include $(lib_obj:.o=.d) $(cli_obj:.o=.d)
+$(out)/tests/%: tests/%.c $(out)/liblamella.a
+	@mkdir -p $(@D)
+	@echo "  test $<"
+	@$(CC) $(CFLAGS_) -DLAM_FUZZ_DRIVER -Itests/unit -o $@ $< $(out)/liblamella.a -lcmocka $(libs)
+-include $(lib_obj:.o=.d) $(cli_obj:.o=.d) $(tests:=.d)
+
+# ---- models: one folder per design; a design's rule lists the templates and meshes it used ----
+all_but_png := report,obj,stl,scad,dxf,svg,gltf,bom,nodes,assembly,pov
+models: $(designs:%=build/models/%/report.json)
+build/models/%/report.json: templates/designs/%.yaml build/lamella
+	@echo "  make $*"
+	@mkdir -p $(@D)
+	@build/lamella build $< -o $(@D) --deps build/models/$*.d --only $(all_but_png) >build/models/$*.txt || { cat build/models/$*.txt; exit 1; }
+-include $(designs:%=build/models/%.d)
+
+demo: setup-demo
+	@$(MAKE) --no-print-directory build/demo/report.json
+	@cat build/demo.txt
+	@echo; echo "files in build/demo:"; cd build/demo && find . -type f | sort | sed 's|^\./|  |' | head -40; \
+	 n=$$(find . -type f | wc -l); [ $$n -le 40 ] || echo "  ... $$n in all"
+build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
+	@mkdir -p build/demo
+	build/lamella build $< -o build/demo --deps build/demo.d --set render.quality=middle >build/demo.txt || { cat build/demo.txt; exit 1; }
+-include build/demo.d
+
+# ---- pictures for the README; minutes each ----
+renders: setup-pics
+	@$(MAKE) --no-print-directory $(gallery)
+renders/gallery/%.jpg: build/models/%/report.json
+	@echo "  render $*"
+	@mkdir -p $(@D)
+	@build/lamella build templates/designs/$*.yaml -o build/models/$* --only png --quiet
+	@pngtopnm build/models/$*/$*.png | cjpeg -quality 88 -optimize >$@.part && mv $@.part $@
+
+# ---- tests ----
+check: setup-check
+	@$(MAKE) --no-print-directory all $(tests)
+	@LAMELLA=$(abspath $(out)/lamella) LAM_TESTS=$(out)/tests tests/run
+accept: all
+	@LAMELLA=$(abspath $(out)/lamella) LAM_ACCEPT=1 tests/golden/golden.t
+bench: setup-build
+	@$(MAKE) --no-print-directory build/lamella
+	@build/lamella bench tests/cases/nets
+layers:
+	@tests/layers
+format:
+	clang-format -i $$(git ls-files '*.c' '*.h' '*.cc')
+
+install: all
+	install -d $(DESTDIR)$(prefix)/bin $(DESTDIR)$(prefix)/lib $(DESTDIR)$(prefix)/include/lamella \
+	  $(DESTDIR)$(prefix)/share/man/man1 $(DESTDIR)$(prefix)/share/lamella
+	install $(out)/lamella $(DESTDIR)$(prefix)/bin/lamella
+	install -m 644 $(out)/liblamella.a $(DESTDIR)$(prefix)/lib/
+	install $(out)/liblamella.so $(DESTDIR)$(prefix)/lib/liblamella.so.0
+	ln -sf liblamella.so.0 $(DESTDIR)$(prefix)/lib/liblamella.so
+	cd gen && find . -name '*.h' -exec install -m 644 -D {} $(DESTDIR)$(prefix)/include/lamella/{} \;
+	install -m 644 gen/cli/lamella.1 $(DESTDIR)$(prefix)/share/man/man1/
+	cp -R templates $(DESTDIR)$(prefix)/share/lamella/
+clean:
+	rm -rf build
+help:
+	@echo "make            the program build/lamella and the library build/liblamella.a, .so"
+	@echo "make demo       installs what is missing, builds, and makes the pavilion in build/demo"
+	@echo "make check      installs what is missing, builds, and runs all tests"
+	@echo "make models     every shipped design, in build/models"
+	@echo "make renders    the gallery: renders/gallery (minutes per picture)"
+	@echo "make bench      speed, as ratios measured in one run"
+	@echo "make accept     records new golden files after a change that was meant"
+	@echo "make layers     checks which folder includes which"
+	@echo "make format     clang-format"
+	@echo "make install    to prefix=$(prefix)"
+	@echo "config=release|debug|sanitize builds into build, build/debug, build/sanitize"

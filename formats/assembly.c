@@ -1,5 +1,5 @@
-/* The order of assembly: a step per lamella, family A first, then family B, then everything else. Family A is laid out with
- * its slots up; every lamella of family B is lowered into them. */
+/* The order of assembly: a step per lamella, family A first, then family B, then everything else. Family A is laid out
+ * with its slots up; every lamella of family B is lowered into them. */
 #include "formats/csv.h"
 #include "formats/format.h"
 
@@ -16,7 +16,8 @@ static bool leads(const lam_model *model, int index) {
   const lam_part *part = &model->parts[index];
   for (int i = 0; i < index && part->group >= 0; i++) {
     const lam_part *other = &model->parts[i];
-    if (other->group == part->group && other->family == part->family && strcmp(other->kind, part->kind) == 0) return false;
+    if (other->group == part->group && other->family == part->family && strcmp(other->kind, part->kind) == 0)
+      return false;
   }
   return true;
 }

@@ -5,9 +5,9 @@
 #include <string.h>
 
 static void header(lam_text *out) {
-  static const char *const names[] = {"part",        "kind",       "family",  "quantity", "congruence",
-                                      "length_mm",   "height_mm",  "thickness_mm", "material", "mass_each_kg",
-                                      "mass_all_kg", "slots",      "slots_open",   "pieces",   "sheets"};
+  static const char *const names[] = {"part",        "kind",      "family",       "quantity", "congruence",
+                                      "length_mm",   "height_mm", "thickness_mm", "material", "mass_each_kg",
+                                      "mass_all_kg", "slots",     "slots_open",   "pieces",   "sheets"};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) lam_csv_text(out, names[i]);
   lam_csv_end_row(out);
 }
@@ -25,7 +25,8 @@ static const char *opening(const lam_flat *flat) {
   return flat->slots[0].top >= flat->height / 2 ? "up" : "down";
 }
 
-/* How many pieces of a part (part -1: of plates with this label and stock) lie on sheets, and the names of the sheets. */
+/* How many pieces of a part (part -1: of plates with this label and stock) lie on sheets, and the names of the sheets.
+ */
 static int find_pieces(const lam_model *model, int part, const char *label, const lam_sheet *like, lam_text *names) {
   int pieces = 0;
   for (int i = 0; i < model->sheet_count; i++) {
@@ -118,7 +119,8 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 
 const lam_format lam_format_bom = {
     .name = "bom",
-    .doc = "Bill of materials as CSV: part, quantity, congruence class, sizes, mass, slots, pieces and the sheets they lie on.",
+    .doc = "Bill of materials as CSV: part, quantity, congruence class, sizes, mass, slots, pieces and the sheets they "
+           "lie on.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

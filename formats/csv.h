@@ -1,4 +1,5 @@
-/* Comma-separated values as in RFC 4180: a header row, CRLF at the end of rows, quotes only where needed, decimal points. */
+/* Comma-separated values as in RFC 4180: a header row, CRLF at the end of rows, quotes only where needed, decimal
+ * points. */
 #ifndef LAM_FORMATS_CSV_H
 #define LAM_FORMATS_CSV_H
 

@@ -107,7 +107,8 @@ static void polyline(lam_text *out, const lam_path *path) {
 }
 
 static void remarks(lam_text *out, const lam_model *model, const lam_sheet *sheet) {
-  lam_text_printf(out, "999\n%s, %s: %s, ", model->name, sheet->name, sheet->material ? sheet->material->name : "any material");
+  lam_text_printf(out, "999\n%s, %s: %s, ", model->name, sheet->name,
+                  sheet->material ? sheet->material->name : "any material");
   lam_text_number(out, sheet->thickness * 1e3, 3);
   lam_text_add(out, " mm thick; millimetres\n999\n");
   if (sheet->kerf > 0) {
@@ -143,7 +144,8 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 
 const lam_format lam_format_dxf = {
     .name = "dxf",
-    .doc = "Cutting sheets for lasers, plasma and water jets: DXF release 12, layers CUT, ENGRAVE, LABEL and SHEET, millimetres.",
+    .doc = "Cutting sheets for lasers, plasma and water jets: DXF release 12, layers CUT, ENGRAVE, LABEL and SHEET, "
+           "millimetres.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

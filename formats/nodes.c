@@ -2,13 +2,12 @@
 #include "formats/csv.h"
 #include "formats/format.h"
 
-
 static const double degree = 3.14159265358979323846 / 180;
 
 static void header(lam_text *out) {
-  static const char *const names[] = {"node",     "x_mm",           "y_mm",    "z_mm",        "normal_x", "normal_y",
-                                      "normal_z", "angle_deg",      "flat_angle_deg", "a_parts", "a_along_mm",  "b_parts",
-                                      "b_along_mm"};
+  static const char *const names[] = {"node",       "x_mm",     "y_mm",      "z_mm",           "normal_x",
+                                      "normal_y",   "normal_z", "angle_deg", "flat_angle_deg", "a_parts",
+                                      "a_along_mm", "b_parts",  "b_along_mm"};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) lam_csv_text(out, names[i]);
   lam_csv_end_row(out);
 }
@@ -44,8 +43,9 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 
 const lam_format lam_format_nodes = {
     .name = "nodes",
-    .doc = "Nodes as CSV: position, normal, crossing angle as built and in the flat grid, the parts that cross and where "
-           "along them, from their start.",
+    .doc =
+        "Nodes as CSV: position, normal, crossing angle as built and in the flat grid, the parts that cross and where "
+        "along them, from their start.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

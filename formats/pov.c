@@ -5,71 +5,11 @@
 #include "formats/format.h"
 
 #include "core/mesh.h"
+#include "formats/corner_normals.h"
 #include <string.h>
 
 /* Faces whose normals differ by less than this are shaded as one smooth surface. */
 static const double smooth_angle = 30 * M_PI / 180;
-
-/* ---- normals ---- */
-
-/* Room for the largest part; reused from part to part. */
-typedef struct corner_normals {
-  int count;
-  lam_vec3 *normals;
-  int (*corners)[3]; /* per triangle and corner: index into normals */
-  lam_vec3 *faces;   /* per triangle: its unit normal times twice its area */
-  int *start, *list; /* corners by vertex: list[start[v] .. start[v+1]-1]; a corner is 3 * triangle + position */
-} corner_normals;
-
-static corner_normals make_room(lam_arena *arena, const lam_model *model) {
-  int vertices = 0, triangles = 0;
-  for (int i = 0; i < model->part_count; i++) {
-    const lam_trimesh *mesh = &model->parts[i].solid;
-    if (mesh->vertex_count > vertices) vertices = mesh->vertex_count;
-    if (mesh->triangle_count > triangles) triangles = mesh->triangle_count;
-  }
-  return (corner_normals){.normals = LAM_NEW(arena, lam_vec3, 3 * (size_t)triangles),
-                          .corners = lam_arena_alloc(arena, (size_t)triangles, sizeof(int[3])),
-                          .faces = LAM_NEW(arena, lam_vec3, triangles),
-                          .start = LAM_NEW(arena, int, vertices + 2),
-                          .list = LAM_NEW(arena, int, 3 * (size_t)triangles)};
-}
-
-static void sort_corners(const lam_trimesh *mesh, int *start, int *list) {
-  memset(start, 0, sizeof(int) * ((size_t)mesh->vertex_count + 2));
-  for (int k = 0; k < 3 * mesh->triangle_count; k++) start[mesh->triangles[k / 3][k % 3] + 2]++;
-  for (int v = 0; v < mesh->vertex_count; v++) start[v + 2] += start[v + 1];
-  for (int k = 0; k < 3 * mesh->triangle_count; k++) list[start[mesh->triangles[k / 3][k % 3] + 1]++] = k;
-}
-
-/* The normal of a corner is the area-weighted sum over the triangles at its vertex that lie within smooth_angle of its
- * own triangle: smooth along a strip, split at its edges. Equal normals of a vertex are stored once. */
-static void find_normals(const lam_trimesh *mesh, corner_normals *found) {
-  const double least = cos(smooth_angle);
-  sort_corners(mesh, found->start, found->list);
-  for (int t = 0; t < mesh->triangle_count; t++) {
-    const int *c = mesh->triangles[t];
-    const lam_vec3 *x = mesh->vertices;
-    found->faces[t] = lam_cross(lam_sub(x[c[1]], x[c[0]]), lam_sub(x[c[2]], x[c[0]]));
-  }
-  found->count = 0;
-  for (int v = 0; v < mesh->vertex_count; v++) {
-    int first = found->count;
-    for (int i = found->start[v]; i < found->start[v + 1]; i++) {
-      int corner = found->list[i];
-      lam_vec3 own = lam_unit(found->faces[corner / 3]), sum = found->faces[corner / 3];
-      for (int j = found->start[v]; j < found->start[v + 1]; j++) {
-        lam_vec3 other = found->faces[found->list[j] / 3];
-        if (j != i && lam_dot(own, lam_unit(other)) > least) sum = lam_add(sum, other);
-      }
-      sum = lam_unit(sum);
-      int k = first;
-      while (k < found->count && lam_distance(found->normals[k], sum) > 1e-4) k++;
-      if (k == found->count) found->normals[found->count++] = sum;
-      found->corners[corner / 3][corner % 3] = k;
-    }
-  }
-}
 
 /* ---- pieces of scene language ---- */
 
@@ -100,15 +40,15 @@ static void add_triples(lam_text *out, const char *name, const int (*triples)[3]
   lam_text_add(out, " }\n");
 }
 
-static void add_part(lam_text *out, const lam_part *part, int number, int decimals, corner_normals *room) {
-  const lam_trimesh *mesh = &part->solid;
-  find_normals(mesh, room);
+static void add_part(lam_text *out, const lam_part *part, int number, int decimals) {
+  lam_shaded_mesh mesh = lam_shaded_mesh_make(out->arena, &part->solid, smooth_angle);
+  lam_vec3 *vertices = LAM_NEW(out->arena, lam_vec3, mesh.vertex_count);
+  for (int i = 0; i < mesh.vertex_count; i++) vertices[i] = part->solid.vertices[mesh.source[i]];
   lam_text_printf(out, "// %s: %s of %s\n#declare Part_%d = mesh2 {\n", part->name, part->kind, part->material->name,
                   number);
-  add_vectors(out, "vertex_vectors", mesh->vertices, mesh->vertex_count, decimals);
-  add_vectors(out, "normal_vectors", room->normals, room->count, 4);
-  add_triples(out, "face_indices", (const int(*)[3])mesh->triangles, mesh->triangle_count);
-  add_triples(out, "normal_indices", (const int(*)[3])room->corners, mesh->triangle_count);
+  add_vectors(out, "vertex_vectors", vertices, mesh.vertex_count, decimals);
+  add_vectors(out, "normal_vectors", mesh.normals, mesh.vertex_count, 4);
+  add_triples(out, "face_indices", (const int(*)[3])mesh.triangles, mesh.triangle_count);
   lam_text_add(out, "}\n");
 }
 
@@ -250,8 +190,7 @@ static lam_status write_scene(const lam_model *model, int i, lam_text *out) {
   int decimals = lam_distance(min, max) > 2 ? 5 : 7; /* 10 um on a roof, .1 um on a desk */
   add_head(out, model, decimals);
   add_materials(out, model);
-  corner_normals room = make_room(out->arena, model);
-  for (int k = 0; k < model->part_count; k++) add_part(out, &model->parts[k], k + 1, decimals, &room);
+  for (int k = 0; k < model->part_count; k++) add_part(out, &model->parts[k], k + 1, decimals);
   add_objects(out, model);
   lam_text_printf(out, "\n#include \"%s.inc\"\n", model->picture.setting);
   return LAM_OK;
@@ -266,11 +205,11 @@ static void scene_path(const lam_model *model, int i, lam_text *path) {
 
 /* ---- template files ---- */
 
-static const char *const plaza_files[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc",
-                                          "pov/sky.inc",    "pov/ground.inc",    "pov/people.inc",
-                                          "pov/trees.inc",  "pov/plaza.inc",     NULL};
-static const char *const studio_files[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc", "pov/studio.inc",
-                                           NULL};
+static const char *const plaza_files[] = {
+    "pov/render.ini", "pov/materials.inc", "pov/camera.inc", "pov/light.inc", "pov/sky.inc",
+    "pov/ground.inc", "pov/people.inc",    "pov/trees.inc",  "pov/plaza.inc", NULL};
+static const char *const studio_files[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc",
+                                           "pov/light.inc",  "pov/studio.inc",    NULL};
 
 static const struct setting {
   const char *name;

@@ -153,18 +153,18 @@ static void add_chosen(lam_text *out, const lam_record_kind *kind) {
 
 static void add_view(lam_text *out, const lam_model *model) {
   lam_text_add(out, "\n// The chosen parts of a family: 0 is A, 1 is B, -1 what belongs to none.\n"
-                    "function family_solid(family) = joined([\n");
+                    "function family_solids(family) = concat(\n");
   for (int k = 0; k < model->record_kind_count; k++) {
-    lam_text_add(out, "  ");
+    lam_text_add(out, "  [");
     add_function(out, &model->record_kinds[k], "solid");
     lam_text_add(out, "of_family(");
     add_chosen(out, &model->record_kinds[k]);
     lam_text_add(out, ", family)");
     add_arguments(out, model, k);
-    lam_text_add(out, ",\n");
+    lam_text_add(out, "],\n");
   }
   lam_text_add(out, "  show == \"one part\" ? unplaced(of_family(chosen(solids, show, part), family)) :\n"
-                    "    placed(of_family(chosen(solids, show, part), family))]);\n"
+                    "    placed(of_family(chosen(solids, show, part), family)));\n"
                     "function outlines() = concat(");
   for (int k = 0; k < model->record_kind_count; k++) {
     lam_text_add(out, k ? ",\n  " : "");
@@ -174,7 +174,7 @@ static void add_view(lam_text *out, const lam_model *model) {
     add_arguments(out, model, k);
   }
   lam_text_add(out, ");\n\nif (is_flat(show)) show_flat(show, outlines(), kerf);\n"
-                    "else show_solids([for (family = [0, 1, -1]) family_solid(family)], "
+                    "else show_solids([for (family = [0, 1, -1]) family_solids(family)], "
                     "show == \"exploded\" ? raise : 0);\n");
 }
 

@@ -1,4 +1,5 @@
-/* SVG: a file per sheet, true to size (one user unit is a millimetre), a group per part. SVG's y axis points down: y is mirrored. */
+/* SVG: a file per sheet, true to size (one user unit is a millimetre), a group per part. SVG's y axis points down: y is
+ * mirrored. */
 #include "formats/format.h"
 #include "formats/layer.h"
 
@@ -29,7 +30,8 @@ static void style(lam_text *out) {
 /* The points of a path; colors are repeated as attributes for programs that do not read style sheets. */
 static void draw(lam_text *out, const lam_path *path, double height) {
   const lam_layer_style *layer = &lam_layer_styles[path->layer];
-  lam_text_printf(out, "<path class=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"0.1\" d=\"M", layer->name, layer->color);
+  lam_text_printf(out, "<path class=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"0.1\" d=\"M", layer->name,
+                  layer->color);
   for (int i = 0; i < path->count; i++) {
     if (i) lam_text_add(out, i == 1 ? " L" : " ");
     number(out, path->points[i].x);
@@ -50,7 +52,8 @@ static void head(lam_text *out, const lam_model *model, const lam_sheet *sheet) 
   number(out, sheet->height);
   lam_text_add(out, "\">\n<title>");
   escaped(out, model->title ? model->title : model->name);
-  lam_text_printf(out, ": %s</title>\n<desc>%s, ", sheet->name, sheet->material ? sheet->material->name : "any material");
+  lam_text_printf(out, ": %s</title>\n<desc>%s, ", sheet->name,
+                  sheet->material ? sheet->material->name : "any material");
   number(out, sheet->thickness);
   lam_text_add(out, " mm thick; ");
   if (sheet->kerf > 0) {
@@ -96,7 +99,8 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 
 const lam_format lam_format_svg = {
     .name = "svg",
-    .doc = "Cutting sheets as SVG, true to size in millimetres, a group per part, the same layers and colors as in DXF.",
+    .doc =
+        "Cutting sheets as SVG, true to size in millimetres, a group per part, the same layers and colors as in DXF.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

@@ -2,6 +2,7 @@
  * built. */
 #include "cli/complain.h"
 #include "cli/input.h"
+#include "cli/references.h"
 #include "cli/run.h"
 #include "cli/value_text.h"
 #include "cli/verbs.h"
@@ -10,11 +11,9 @@
 #include "formats/format.h"
 #include "net/kind.h"
 #include "surf/place.h"
-#include "surf/surface.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 static const char usage[] = "usage: lamella check DESIGN.yaml [--set KEY=VALUE]...";
 
@@ -61,7 +60,7 @@ static void add_formats(lam_text *text) {
   lam_text words = {.arena = text->arena};
   lam_text_add(&words, "");
   for (int i = 0; i < lam_format_count; i++) {
-    if (lam_formats[i]->write) lam_text_printf(&words, "%s%s", words.length > 0 ? ", " : "", lam_formats[i]->name);
+    if (lam_formats[i]->path) lam_text_printf(&words, "%s%s", words.length > 0 ? ", " : "", lam_formats[i]->name);
   }
   add_line(text, "outputs", words.data);
 }
@@ -76,27 +75,6 @@ static void describe(lam_text *text, const lam_design *design) {
   if (design->parts.count > 0) add_map(text, "sheets", design);
   add_map(text, "render", design);
   add_formats(text);
-}
-
-/* ---- what tables cannot say ---- */
-
-/* A file that the design names lies relative to the design. */
-static void check_file(const lam_design *design, const char *file, const char *key, lam_errors *errors) {
-  if (!file) return;
-  const char *slash = design->path && file[0] != '/' ? strrchr(design->path, '/') : NULL;
-  int folder = slash ? (int)(slash - design->path) + 1 : 0;
-  const char *path = lam_arena_printf(errors->arena, "%.*s%s", folder, design->path ? design->path : "", file);
-  if (access(path, R_OK) == 0) return;
-  lam_error_add(errors, design->net.place, key, "given %s; expected a file that can be read (looked for %s)", file,
-                path);
-}
-
-static void check_whole(const lam_design *design, lam_errors *errors) {
-  if (design->surface.head) lam_surface_make(errors->arena, &design->surface, errors);
-  if (!design->net.head) return;
-  const lam_net_common *net = design->net.common;
-  check_file(design, net->from.file, "net.from.file", errors);
-  check_file(design, net->reference.file, "net.reference.file", errors);
 }
 
 /* ---- the verb ---- */
@@ -128,7 +106,7 @@ static int check(lam_arena *arena, int argc, char **argv) {
   if (status >= 0) return status;
   if (!lam_input_read(arena, given.path, (lam_place){0}, NULL, &errors, &bytes, &count)) return lam_complain(&errors);
   if (lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, &design)) {
-    check_whole(&design, &errors);
+    lam_references_check(&design, &errors);
   }
   if (errors.count > 0) return lam_complain(&errors);
   lam_text text = {.arena = arena};

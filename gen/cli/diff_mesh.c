@@ -2,6 +2,7 @@
 #include "cli/mesh_input.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Relative limit for volume and area; samples over the larger of both surfaces; limit for distances in millimetres. */
 static const double relative_limit = 1e-4, samples = 50000, default_tolerance_mm = 0.05;
@@ -61,7 +62,6 @@ static void print_value(const row *r, double value) {
 /* Relative differences (limit 1e-4) have no unit; distances are shown in millimetres. */
 static void print_rows(const comparison *c, const row *rows) {
   printf("%-14s %-20s %-20s %-14s %s\n", "", "A", "B", "difference", "limit");
-  int different = 0;
   for (int i = 0; i < row_count; i++) {
     const row *r = &rows[i];
     printf("%-14s", r->name);
@@ -70,14 +70,12 @@ static void print_rows(const comparison *c, const row *rows) {
     const char *unit = r->scale > 1 ? r->unit : "";
     printf(" %-14.4g %.4g %s%s\n", r->difference * r->scale, r->limit * r->scale, unit,
            differs(r) ? "  <-- differs" : "");
-    different += differs(r);
   }
   printf("sampled every %.3g mm\n", c->spacing * 1000);
-  if (!different) puts("the same");
-  for (int i = 0, shown = 0; i < row_count; i++)
-    if (differs(&rows[i]))
-      printf("%s%s", shown++ ? ", " : "different: ", rows[i].name);
-  if (different) putchar('\n');
+  int shown = 0;
+  for (int i = 0; i < row_count; i++)
+    if (differs(&rows[i])) printf("%s%s", shown++ ? ", " : "different: ", rows[i].name);
+  puts(shown ? "" : "the same");
 }
 
 static void print_json(const comparison *c, const row *rows) {

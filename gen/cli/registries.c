@@ -40,7 +40,7 @@ static lam_listed *collect_formats(lam_arena *arena, const lam_section *section,
   for (int i = 0; i < lam_format_count; i++) {
     const lam_format *format = lam_formats[i];
     bool reads = format->read_mesh || format->read_triangles;
-    const char *ways = format->write ? reads ? "It is written and read." : "It is written." : "It is read.";
+    const char *ways = format->path ? reads ? "It is written and read." : "It is written." : "It is read.";
     listed[i] = (lam_listed){.name = format->name, .title = format->doc, .doc = ways};
   }
   *count = lam_format_count;

@@ -9,6 +9,7 @@ int lam_verb_list(int argc, char **argv);
 int lam_verb_show(int argc, char **argv);
 int lam_verb_new(int argc, char **argv);
 int lam_verb_measure(int argc, char **argv);
+int lam_verb_bench(int argc, char **argv);
 int lam_verb_diff(int argc, char **argv);
 int lam_verb_inspect(int argc, char **argv);
 

@@ -73,10 +73,15 @@ static void clip(polygon *p, const double *value) {
   *p = kept;
 }
 
-/* The integral of height k over the part of the polygon where it is the smaller of the two. */
+/* The integral of height k over the part of the polygon where it is the smaller of the two. Where both are equal all
+ * over, height 0 counts as the smaller. */
 static double integral_where_smaller(polygon p, int k) {
-  double value[8], sum = 0;
-  for (int i = 0; i < p.count; i++) value[i] = p.points[i].height[1 - k] - p.points[i].height[k];
+  double value[8], largest = 0, sum = 0;
+  for (int i = 0; i < p.count; i++) {
+    value[i] = p.points[i].height[1 - k] - p.points[i].height[k];
+    largest = fmax(largest, value[i]);
+  }
+  if (k == 1 && largest == 0) return 0;
   clip(&p, value);
   for (int i = 2; i < p.count; i++) {
     const plan_point *a = &p.points[0], *b = &p.points[i - 1], *c = &p.points[i];

@@ -10,6 +10,7 @@ typedef struct lam_render_keys {
   const char *setting, *view;
   const char *quality; /* one of lam_qualities */
   int quality_index;   /* of quality, in lam_qualities */
+  lam_place place;     /* of the setting */
   int size[2];         /* pixels: width, height */
 } lam_render_keys;
 

@@ -73,6 +73,11 @@ static bool has_message(const lam_errors *errors, const char *key) {
   return false;
 }
 
+static lam_place place_of_setting(const lam_node *root) {
+  const lam_node *render = find(root, "render"), *setting = find(render, "setting");
+  return setting ? setting->place : render ? render->place : root->place;
+}
+
 static void check_root(const lam_filler *filler, const lam_node *root, const lam_design *design) {
   lam_trail name = {NULL, "name", 0}, render = {NULL, "render", 0};
   lam_trail setting = {&render, "setting", 0}, view = {&render, "view", 0};
@@ -101,6 +106,7 @@ bool lam_design_parse(lam_arena *arena, const char *bytes, size_t count, const c
   check_root(&filler, root, design);
   design->language = 1;
   design->render.quality = lam_qualities[design->render.quality_index];
+  design->render.place = place_of_setting(root);
   if (!design->title) design->title = design->name;
   if (!design->source) design->source = "";
   return errors->count == before;

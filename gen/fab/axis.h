@@ -16,8 +16,8 @@ typedef struct lam_axis {
 
 /* points are kept by pointer. */
 lam_axis lam_axis_make(lam_arena *arena, const lam_vec2 *points, int count);
-/* The point of the plane at (s, h). Beyond its ends the axis goes on straight. The unit normal there is written to normal
- * unless it is NULL. */
+/* The point of the plane at (s, h). Beyond its ends the axis goes on straight. The unit normal there is written to
+ * normal unless it is NULL. */
 lam_vec2 lam_axis_point(const lam_axis *axis, double s, double h, lam_vec2 *normal);
 /* The coordinates (s, h), as x and y, of a point of the plane: those at the nearest segment of the axis. */
 lam_vec2 lam_axis_locate(const lam_axis *axis, lam_vec2 point);

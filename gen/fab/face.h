@@ -23,8 +23,9 @@ void lam_face_take(lam_face *face, lam_face_box box);
 /* True when box and the margin around it touch neither the edges nor what is taken. */
 bool lam_face_is_free(const lam_face *face, lam_face_box box);
 
-/* Finds a free place for a box of this width and height, centered at one of the given heights across the strip (tried in order), as near
- * to `from` as there is one between from and to (from > to searches backwards). False when there is none. */
+/* Finds a free place for a box of this width and height, centered at one of the given heights across the strip (tried
+ * in order), as near to `from` as there is one between from and to (from > to searches backwards). False when there is
+ * none. */
 bool lam_face_find(const lam_face *face, double width, double height, double from, double to, const double *centers,
                    int center_count, lam_face_box *box);
 
@@ -39,8 +40,8 @@ void lam_face_stroke(const lam_face *face, lam_paths *paths, lam_layer layer, bo
 /* Adds a text; its base line begins at (s, h). */
 void lam_face_text(const lam_face *face, lam_paths *paths, lam_layer layer, const char *text, double s, double h,
                    double height);
-/* Writes a name on LABEL, framed on ENGRAVE, as near to one end of the face as it fits at the largest size; centers: as in
- * lam_face_find. False when it fits at no size. */
+/* Writes a name on LABEL, framed on ENGRAVE, as near to one end of the face as it fits at the largest size; centers: as
+ * in lam_face_find. False when it fits at no size. */
 bool lam_face_name(lam_face *face, lam_paths *paths, const char *name, bool at_start, const double *centers,
                    int center_count);
 

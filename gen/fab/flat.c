@@ -6,8 +6,8 @@
 
 const double lam_flat_straight = 1e-4;
 
-/* Reads the developed middle line from the stations. A straight one becomes its two ends. The line of a reversed strip is
- * mirrored end for end; across, up stays up. */
+/* Reads the developed middle line from the stations. A straight one becomes its two ends. The line of a reversed strip
+ * is mirrored end for end; across, up stays up. */
 static void develop(lam_arena *arena, const lam_sheet_strip *strip, lam_flat *flat) {
   int n = strip->station_count;
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, n), *m = LAM_NEW(arena, lam_vec3, n);
@@ -41,7 +41,8 @@ static lam_flat_slot slot_of(const lam_lamella_grid *grid, const lam_sheet_strip
   lam_station_extent(grid, station, &low, &high);
   double first = strip->stations[0].s, last = strip->stations[strip->station_count - 1].s;
   double at = reversed ? last - station->s : station->s - first;
-  lam_flat_slot slot = {at + (reversed ? -high : low), at + (reversed ? -low : high), -grid->clearance, grid->height / 2, at};
+  lam_flat_slot slot = {at + (reversed ? -high : low), at + (reversed ? -low : high), -grid->clearance,
+                        grid->height / 2, at};
   if (strip->family == 1) {
     slot.bottom = -grid->height / 2;
     slot.top = grid->clearance;
@@ -49,8 +50,8 @@ static lam_flat_slot slot_of(const lam_lamella_grid *grid, const lam_sheet_strip
   return slot;
 }
 
-/* One edge of the outline, from the start of the axis to its end, at h = side * height/2, with the slots that open there.
- * Between corner points the edge runs parallel to the axis. */
+/* One edge of the outline, from the start of the axis to its end, at h = side * height/2, with the slots that open
+ * there. Between corner points the edge runs parallel to the axis. */
 static int edge(const lam_flat *flat, const lam_axis *axis, double side, lam_vec2 *points) {
   double h = side * flat->height / 2;
   int count = 0, slot = 0, corner = 0;

@@ -18,7 +18,8 @@ static void draw_ticks(writer *marks) {
   for (int i = 0; i < marks->flat->slot_count; i++) {
     const lam_flat_slot *slot = &marks->flat->slots[i];
     bool open_up = slot->top >= half;
-    double bottom = open_up ? -half + margin : slot->top + margin, top = open_up ? slot->bottom - margin : half - margin;
+    double bottom = open_up ? -half + margin : slot->top + margin,
+           top = open_up ? slot->bottom - margin : half - margin;
     double s = slot->at;
     lam_face_take(&marks->face, (lam_face_box){slot->low, slot->high, slot->bottom, slot->top});
     if (top <= bottom) continue;
@@ -98,12 +99,12 @@ void lam_flat_marks(lam_arena *arena, const lam_flat *flat, const char *name, in
                     const char *const *names, lam_paths *paths) {
   lam_axis axis = lam_axis_make(arena, flat->axis, flat->axis_count);
   double free_half = (family == 1 ? 1 : -1) * flat->height / 4;
-  writer marks = {lam_face_make(arena, &axis, 0, axis.length, flat->height), flat, paths,
-                  free_half,
-                  {-free_half, 0, free_half}};
+  writer marks = {
+      lam_face_make(arena, &axis, 0, axis.length, flat->height), flat, paths, free_half, {-free_half, 0, free_half}};
   draw_ticks(&marks);
-  lam_face_name(&marks.face, paths, name, true, marks.rows, 3);
-  lam_face_name(&marks.face, paths, name, false, marks.rows, 3);
+  for (int end = 0; end < 2; end++)
+    if (!lam_face_name(&marks.face, paths, name, end == 0, marks.rows, 2))
+      lam_face_name(&marks.face, paths, name, end == 0, marks.rows + 2, 1);
   write_partners(&marks, names);
   write_sign(&marks, family, pair);
 }

@@ -237,18 +237,17 @@ static void check_ribs(const layout *l) {
       lam_station_extent(grid, &strip->stations[k - 1], &unused, &high);
       lam_station_extent(grid, &strip->stations[k], &low, &unused);
       double rib = strip->stations[k].s + low - strip->stations[k - 1].s - high;
-      if ((high == 0 && low == 0) || rib >= least) continue;
+      if ((high == 0 && low == 0) || rib >= least - 1e-9) continue;
       least = rib, worst = strip, from = strip->stations[k - 1].s;
     }
   }
   if (worst)
     lam_error_add(
         l->shop->errors, l->place, "joint",
-        "between the slots of %s at %.1f mm from its start %.2f mm of material would be left, and at least the "
-        "thickness "
-        "(%.2f mm) is needed: take a coarser net, a larger pair or extend, less thickness or clearance, or a scissor "
-        "angle nearer to 90 deg",
-        worst->name, from * 1e3, least * 1e3, grid->thickness * 1e3);
+        "%s would keep %.2f mm of material beside a slot, from %.1f mm after its start on, and at least the thickness "
+        "(%.2f mm) is needed: take a coarser net, a larger pair or extend, less thickness or clearance, or a "
+        "scissor angle nearer to 90 deg",
+        worst->name, least * 1e3, from * 1e3, grid->thickness * 1e3);
 }
 
 static bool fill_nodes(layout *l) {

@@ -140,7 +140,8 @@ static const char *read_stroke(const char *text, lam_vec2 *points, int *count) {
   return *text == ' ' ? text + 1 : text;
 }
 
-void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_vec2 origin, double angle, double height) {
+void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_vec2 origin, double angle,
+                       double height) {
   double unit = height / HEIGHT, x = 0;
   lam_placement placement = {cos(angle), sin(angle), origin};
   for (; *text; text++) {

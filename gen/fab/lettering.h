@@ -7,9 +7,10 @@
 
 /* Width of a text whose capitals are `height` high, from the first stroke to the last. */
 double lam_lettering_width(const char *text, double height);
-/* Adds the strokes of text to paths, on the layer LABEL or ENGRAVE. origin: left end of the base line; angle: of the base
- * line, from the x axis; height: of the capitals. Descenders reach height/3 below the base line. */
-void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_vec2 origin, double angle, double height);
+/* Adds the strokes of text to paths, on the layer LABEL or ENGRAVE. origin: left end of the base line; angle: of the
+ * base line, from the x axis; height: of the capitals. Descenders reach height/3 below the base line. */
+void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_vec2 origin, double angle,
+                       double height);
 /* How many characters the alphabet has, and which: for tests and samples. Zero-terminated. */
 const char *lam_lettering_characters(void);
 

@@ -75,8 +75,8 @@ int lam_nest(lam_arena *arena, lam_nest_item *items, int count, double width, do
     /* Right of the item a room of its height, above it one of the full width: a shelf. */
     list.items[at] =
         (room){space.sheet, space.x + item->width, space.y, fmax(0, space.width - item->width), item->height};
-    add_room(&list, (room){space.sheet, space.x, space.y + item->height, space.width,
-                           fmax(0, space.height - item->height)});
+    add_room(&list,
+             (room){space.sheet, space.x, space.y + item->height, space.width, fmax(0, space.height - item->height)});
   }
   return sheets;
 }

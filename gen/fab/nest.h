@@ -1,5 +1,5 @@
-/* Placing rectangles on sheets: shelves, best fit, tallest first. Strips of equal height fill their shelf end to end, and
- * small rectangles fill what is left at the ends and above shorter neighbors. */
+/* Placing rectangles on sheets: shelves, best fit, tallest first. Strips of equal height fill their shelf end to end,
+ * and small rectangles fill what is left at the ends and above shorter neighbors. */
 #ifndef LAM_FAB_NEST_H
 #define LAM_FAB_NEST_H
 
@@ -11,7 +11,8 @@ typedef struct lam_nest_item {
   double x, y;          /* found: the lower left corner */
 } lam_nest_item;
 
-/* Places all items on sheets of width x height without overlap. Returns the number of sheets. The order of items is kept. */
+/* Places all items on sheets of width x height without overlap. Returns the number of sheets. The order of items is
+ * kept. */
 int lam_nest(lam_arena *arena, lam_nest_item *items, int count, double width, double height);
 
 #endif

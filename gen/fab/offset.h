@@ -11,7 +11,8 @@ extern "C" {
 
 /* Moves the sides of a simple polygon (either orientation) outward by distance, inward when it is negative; exact to a
  * nanometre. *result is counterclockwise and freed with free(). LAM_BAD_INPUT when moving back would not
- * give the polygon again: a slot closed up or a part of it vanished; LAM_NO_MEMORY, LAM_FAILED; *result is then NULL. */
+ * give the polygon again: a slot closed up or a part of it vanished; LAM_NO_MEMORY, LAM_FAILED; *result is then NULL.
+ */
 lam_status lam_offset_polygon(const lam_vec2 *points, int count, double distance, lam_vec2 **result, int *result_count);
 
 #ifdef __cplusplus

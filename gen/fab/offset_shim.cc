@@ -26,7 +26,8 @@ ClipperLib::Paths moved(const ClipperLib::Path &path, double distance) {
   return result;
 }
 
-/* Moving back gives the polygon again, unless a slot closed up or a tongue vanished. Rounding moves an edge by units. */
+/* Moving back gives the polygon again, unless a slot closed up or a tongue vanished. Rounding moves an edge by units.
+ */
 bool can_be_undone(const ClipperLib::Path &path, const ClipperLib::Path &result, double distance) {
   ClipperLib::Paths back = moved(result, -distance);
   double length = 0;
@@ -50,7 +51,8 @@ extern "C" lam_status lam_offset_polygon(const lam_vec2 *points, int count, doub
     *result = static_cast<lam_vec2 *>(std::malloc(path.size() * sizeof(lam_vec2)));
     if (!*result) return LAM_NO_MEMORY;
     for (size_t i = 0; i < path.size(); i++)
-      (*result)[i] = {static_cast<double>(path[i].X) / units_per_meter, static_cast<double>(path[i].Y) / units_per_meter};
+      (*result)[i] = {static_cast<double>(path[i].X) / units_per_meter,
+                      static_cast<double>(path[i].Y) / units_per_meter};
     *result_count = static_cast<int>(path.size());
     return LAM_OK;
   } catch (const std::bad_alloc &) {

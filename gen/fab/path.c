@@ -17,7 +17,8 @@ lam_path *lam_paths_add(lam_paths *paths, lam_layer layer, bool closed, int coun
   return path;
 }
 
-/* A regular n-gon of circumradius R has the area n/2 R^2 sin(2 pi/n); it equals pi r^2 for R = r sqrt(2 pi / (n sin(2 pi/n))). */
+/* A regular n-gon of circumradius R has the area n/2 R^2 sin(2 pi/n); it equals pi r^2 for R = r sqrt(2 pi / (n sin(2
+ * pi/n))). */
 void lam_paths_hole(lam_paths *paths, lam_vec2 center, double diameter) {
   enum { CORNERS = 48 };
   double step = 2 * M_PI / CORNERS;

@@ -41,14 +41,14 @@ static void split_part(workbench *bench, int index, group_cuts *earlier) {
   double total = 0;
   for (int i = 1; i < flat->axis_count; i++)
     total += hypot(flat->axis[i].x - flat->axis[i - 1].x, flat->axis[i].y - flat->axis[i - 1].y);
-  for (int i = 0; i < earlier->count; i++)
-    avoid[i] = flat->reversed ? total - earlier->items[i] : earlier->items[i];
+  for (int i = 0; i < earlier->count; i++) avoid[i] = flat->reversed ? total - earlier->items[i] : earlier->items[i];
   int count = lam_splice_cuts(bench->arena, flat, bench->room[0] - bench->options.kerf, avoid, earlier->count,
                               stagger(part->group, earlier->sheets), &cuts);
   if (count < 0) {
-    lam_error_add(bench->errors, bench->place, stock_key,
-                  "%s is %.0f mm long, the sheet has room for %.0f mm, and its slots leave no room for a splice of %.0f mm",
-                  part->name, length * 1e3, bench->room[0] * 1e3, 2e3 * lam_splice_for(flat->height).half);
+    lam_error_add(
+        bench->errors, bench->place, stock_key,
+        "%s is %.0f mm long, the sheet has room for %.0f mm, and its slots leave no room for a splice of %.0f mm",
+        part->name, length * 1e3, bench->room[0] * 1e3, 2e3 * lam_splice_for(flat->height).half);
     return;
   }
   lam_splice_pieces(&bench->pieces, index, part, cuts, count);
@@ -72,9 +72,9 @@ static void make_pieces(workbench *bench, int part_count) {
         split_part(bench, i, &earlier);
         continue;
       }
-      lam_pieces_add(&bench->pieces, (lam_piece){i, part->name, part->material, flat->thickness, part->length,
-                                                 lam_paths_area(flat->paths, flat->path_count), flat->path_count,
-                                                 flat->paths});
+      lam_pieces_add(&bench->pieces,
+                     (lam_piece){i, part->name, part->material, flat->thickness, part->length,
+                                 lam_paths_area(flat->paths, flat->path_count), flat->path_count, flat->paths});
     }
   }
 }
@@ -92,8 +92,8 @@ static void apply_kerf(workbench *bench, lam_piece *piece) {
     lam_status status = lam_offset_polygon(path->points, path->count, path->hole ? -half : half, &moved, &count);
     if (status == LAM_NO_MEMORY) lam_arena_exhausted(bench->arena);
     if (status != LAM_OK) {
-      lam_error_add(bench->errors, bench->place, "sheets.kerf", "%s has a slot or hole narrower than the kerf of %.3f mm",
-                    piece->label, bench->options.kerf * 1e3);
+      lam_error_add(bench->errors, bench->place, "sheets.kerf",
+                    "%s has a slot or hole narrower than the kerf of %.3f mm", piece->label, bench->options.kerf * 1e3);
       return;
     }
     path->points = LAM_NEW(bench->arena, lam_vec2, count);
@@ -127,8 +127,9 @@ static lam_placed place_piece(workbench *bench, const lam_piece *piece, const la
   bool upright = bench->options.stock[1] > bench->options.stock[0];
   lam_placement move = {1, 0, {x - min.x, y - min.y}};
   if (upright) move = (lam_placement){0, 1, {bench->options.stock[0] - y + min.y, x - min.x}};
-  return (lam_placed){piece->part, piece->label, piece->area, piece->length, piece->path_count,
-                      lam_paths_placed(bench->arena, piece->paths, piece->path_count, &move)};
+  return (lam_placed){piece->part,       piece->label,
+                      piece->area,       piece->length,
+                      piece->path_count, lam_paths_placed(bench->arena, piece->paths, piece->path_count, &move)};
 }
 
 /* Nests the pieces listed in chosen, all of one material and thickness, and appends their sheets. */
@@ -143,8 +144,15 @@ static void nest_group(workbench *bench, const int *chosen, int count, lam_sheet
   const lam_piece *kind = &bench->pieces.items[chosen[0]];
   for (int s = 0; s < made; s++) {
     lam_sheet *sheet = &sheets->sheets[sheets->count++];
-    *sheet = (lam_sheet){lam_arena_printf(bench->arena, "sheet-%02d", sheets->count), options->stock[0], options->stock[1],
-                         kind->material, kind->thickness, options->kerf, 0, LAM_NEW(bench->arena, lam_placed, fit), 0};
+    *sheet = (lam_sheet){lam_arena_printf(bench->arena, "sheet-%02d", sheets->count),
+                         options->stock[0],
+                         options->stock[1],
+                         kind->material,
+                         kind->thickness,
+                         options->kerf,
+                         0,
+                         LAM_NEW(bench->arena, lam_placed, fit),
+                         0};
     for (int i = 0; i < fit; i++) {
       if (items[i].sheet != s) continue;
       const lam_piece *piece = &bench->pieces.items[fitting[i]];
@@ -157,7 +165,8 @@ static void nest_group(workbench *bench, const int *chosen, int count, lam_sheet
 lam_sheets lam_sheets_make(lam_arena *arena, const lam_part *parts, int part_count, lam_sheet_options options,
                            lam_place place, lam_errors *errors) {
   double width = options.stock[0] - 2 * options.margin, height = options.stock[1] - 2 * options.margin;
-  workbench bench = {arena, parts, options, {fmax(width, height), fmin(width, height)}, place, errors, {.arena = arena}};
+  workbench bench = {arena, parts,  options,         {fmax(width, height), fmin(width, height)},
+                     place, errors, {.arena = arena}};
   lam_sheets sheets = {0, NULL};
   if (bench.room[1] <= 0) {
     lam_error_add(errors, place, stock_key, "the margins of %.1f mm leave nothing of a sheet of %.0f mm x %.0f mm",

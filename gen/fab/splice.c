@@ -8,8 +8,8 @@
 static const struct {
   const char *name;
   double hole;
-} bolts[] = {{"M12", 13.5e-3}, {"M10", 11e-3}, {"M8", 9e-3}, {"M6", 6.6e-3}, {"M5", 5.5e-3},
-             {"M4", 4.5e-3},   {"M3", 3.4e-3}, {"M2", 2.4e-3}};
+} bolts[] = {{"M12", 13.5e-3}, {"M10", 11e-3}, {"M8", 9e-3},   {"M6", 6.6e-3},
+             {"M5", 5.5e-3},   {"M4", 4.5e-3}, {"M3", 3.4e-3}, {"M2", 2.4e-3}};
 
 lam_splice lam_splice_for(double strip_height) {
   double largest = strip_height / 10 * (1 + 1e-9), hole = largest;
@@ -52,9 +52,10 @@ static lam_vec2 between(lam_vec2 a, lam_vec2 b, double da, double db) {
   return lam_v2(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t);
 }
 
-/* Splits a closed outline at a line that crosses it twice within `reach` of line->x (elsewhere a bent strip may meet the line again).
- * before and after receive up to outline->count + 2 points. */
-static void split_outline(const lam_path *outline, const cut_line *line, double reach, lam_path *before, lam_path *after) {
+/* Splits a closed outline at a line that crosses it twice within `reach` of line->x (elsewhere a bent strip may meet
+ * the line again). before and after receive up to outline->count + 2 points. */
+static void split_outline(const lam_path *outline, const cut_line *line, double reach, lam_path *before,
+                          lam_path *after) {
   int edges[2] = {-1, -1}, found = 0, n = outline->count;
   lam_vec2 hits[2];
   for (int i = 0; i < n && found < 2; i++) {
@@ -87,7 +88,8 @@ static int piece_of(const double *cuts, int count, double s) {
 }
 
 /* Shares a mark among the pieces it lies on. */
-static void split_mark(const lam_path *mark, const lam_axis *axis, const double *cuts, int cut_count, lam_paths *pieces) {
+static void split_mark(const lam_path *mark, const lam_axis *axis, const double *cuts, int cut_count,
+                       lam_paths *pieces) {
   int n = mark->count, steps = mark->closed ? n + 1 : n, first = -1;
   bool whole = true;
   for (int i = 0; i < n; i++) {
@@ -123,10 +125,10 @@ static void split_mark(const lam_path *mark, const lam_axis *axis, const double 
 static void drill(lam_paths *paths, const lam_splice *splice, const cut_line *line, double side) {
   for (int i = 0; i < 4; i++) {
     double along = side * splice->columns[i / 2], across = splice->row * (i % 2 ? 1 : -1);
-    lam_paths_hole(paths,
-                   lam_v2(line->x.x + along * line->t.x - across * line->t.y,
-                          line->x.y + along * line->t.y + across * line->t.x),
-                   splice->hole);
+    lam_paths_hole(
+        paths,
+        lam_v2(line->x.x + along * line->t.x - across * line->t.y, line->x.y + along * line->t.y + across * line->t.x),
+        splice->hole);
   }
 }
 
@@ -168,13 +170,14 @@ static void add_piece(lam_pieces *pieces, int part_index, const lam_part *part, 
 static void add_plate(lam_pieces *pieces, const lam_part *part, const lam_splice *splice) {
   lam_paths paths = {.arena = pieces->arena};
   double half = splice->half, side = splice->height / 2, size = lam_letter_height(splice->height);
-  lam_paths_add(&paths, LAM_LAYER_CUT, true, 4, (lam_vec2[]){{-half, -side}, {half, -side}, {half, side}, {-half, side}});
+  lam_paths_add(&paths, LAM_LAYER_CUT, true, 4,
+                (lam_vec2[]){{-half, -side}, {half, -side}, {half, side}, {-half, side}});
   cut_line middle = {{0, 0}, {1, 0}};
   drill(&paths, splice, &middle, -1);
   drill(&paths, splice, &middle, 1);
   size *= fmin(1, 1.6 * half / lam_lettering_width(splice->bolt, size));
-  lam_lettering_add(&paths, LAM_LAYER_LABEL, splice->bolt, lam_v2(-lam_lettering_width(splice->bolt, size) / 2, -size / 2), 0,
-                    size);
+  lam_lettering_add(&paths, LAM_LAYER_LABEL, splice->bolt,
+                    lam_v2(-lam_lettering_width(splice->bolt, size) / 2, -size / 2), 0, size);
   const char *label = lam_arena_printf(pieces->arena, "splice-%.0f", part->flat->height * 1e3);
   lam_pieces_add(pieces, (lam_piece){-1, label, part->material, part->flat->thickness, 2 * half,
                                      lam_paths_area(paths.items, paths.count), paths.count, paths.items});

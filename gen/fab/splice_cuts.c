@@ -64,7 +64,8 @@ static closed_zones find_zones(lam_arena *arena, const lam_flat *flat, const lam
     }
     if (low <= high) zones.items[zones.count++] = (interval){low - reach, high + reach};
   }
-  for (int i = 0; i < avoid_count; i++) zones.items[zones.count++] = (interval){avoid[i] - 2 * reach, avoid[i] + 2 * reach};
+  for (int i = 0; i < avoid_count; i++)
+    zones.items[zones.count++] = (interval){avoid[i] - 2 * reach, avoid[i] + 2 * reach};
   merge(&zones);
   return zones;
 }
@@ -87,7 +88,8 @@ static void earliest(const closed_zones *zones, double length, double longest, d
   for (int i = count - 1; i >= 0; i--) cuts[i] = to = at_least(zones, to - longest);
 }
 
-/* Between its first and its last position every cut has free play; fraction picks the place, moved to an allowed one. */
+/* Between its first and its last position every cut has free play; fraction picks the place, moved to an allowed one.
+ */
 static void choose(const closed_zones *zones, double longest, double fraction, const double *first, const double *last,
                    double *cuts, int count) {
   double before = 0;

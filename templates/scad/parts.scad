@@ -25,21 +25,21 @@ function joined(solids) = let(first = starts([for (s = solids) len(s[0])])) [
 function moved(solid, by) = by == [0, 0, 0] ? solid : [[for (p = solid[0]) p + by], solid[1]];
 
 // The copies of solid records [name, family, points, faces, frames]: a frame is [origin, x axis, y axis, z axis].
-function placed(records) = joined([for (r = records) let(local = [for (p = r[2]) [1, p.x, p.y, p.z]])
-  each [for (frame = r[4]) [local * frame, r[3]]]]);
+function placed(records) = [for (r = records) let(local = [for (p = r[2]) [1, p.x, p.y, p.z]])
+  each [for (frame = r[4]) [local * frame, r[3]]]];
 // One copy of each, where it was drawn.
-function unplaced(records) = joined([for (r = records) [r[2], r[3]]]);
+function unplaced(records) = [for (r = records) [r[2], r[3]]];
 
 // ---- showing ----
 module solid(s) { if (len(s[1]) > 0) polyhedron(points = s[0], faces = s[1], convexity = 10); }
 
-// Families A, B and the rest, each raised by `raise` above the one before. A preview is colored; a render is a single
-// polyhedron, which OpenSCAD exports as it is, in seconds: no union is computed.
+// Lists of solids of family A, of family B and of the rest, each list raised by `raise` above the one before. A preview
+// is colored; a render is a single polyhedron, which OpenSCAD exports as it is, in seconds: no union is computed.
 module show_solids(families, raise = 0) {
-  lifted = [for (i = [0 : 1 : len(families) - 1]) moved(families[i], [0, 0, i * raise])];
+  lifted = [for (i = [0 : 1 : len(families) - 1]) [for (s = families[i]) moved(s, [0, 0, i * raise])]];
   colors = [[.76, .78, .80], [.58, .66, .74], [.92, .70, .28]];
-  if ($preview) for (i = [0 : 1 : len(lifted) - 1]) color(colors[i % 3]) solid(lifted[i]);
-  else solid(joined(lifted));
+  if ($preview) for (i = [0 : 1 : len(lifted) - 1]) color(colors[i % 3]) solid(joined(lifted[i]));
+  else solid(joined([for (solids = lifted) each solids]));
 }
 
 // Outlines are [name, polygon, marks, pitch]: a mark is [text, [x, y], angle, size], pitch the room that the outline

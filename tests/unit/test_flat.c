@@ -73,8 +73,8 @@ static void slots_open_by_family(void **state) {
   lam_arena_free(arena);
 }
 
-/* The sheets of a pair are the same part seen from the other side: the pattern of the one with positive offset runs from its
- * end to its start, so that slot `at` is the length less the arc length of the station. */
+/* The sheets of a pair are the same part seen from the other side: the pattern of the one with positive offset runs
+ * from its end to its start, so that slot `at` is the length less the arc length of the station. */
 static void second_sheet_is_reversed(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -92,8 +92,8 @@ static void second_sheet_is_reversed(void **state) {
   lam_arena_free(arena);
 }
 
-/* A slot widened to one side for erection, [low - w/2, high + w/2] about its station, keeps its sides when the pattern is
- * reversed: the wide side changes over. */
+/* A slot widened to one side for erection, [low - w/2, high + w/2] about its station, keeps its sides when the pattern
+ * is reversed: the wide side changes over. */
 static void widened_slots_keep_their_side(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -111,20 +111,29 @@ static void widened_slots_keep_their_side(void **state) {
   lam_arena_free(arena);
 }
 
-/* A strip that stands on a circle with m in the circle's plane, outward for side 1, inward for side -1, cannot be straightened: it is a sector of a ring. */
+/* A strip that stands on a circle with m in the circle's plane, outward for side 1, inward for side -1, cannot be
+ * straightened: it is a sector of a ring. */
 static lam_flat *ring_flat(lam_arena *arena, double radius, double arc, int n, double offset, double side) {
   lam_lamella_grid *grid = LAM_NEW(arena, lam_lamella_grid, 1);
   lam_sheet_strip *strips = LAM_NEW(arena, lam_sheet_strip, 2);
-  *grid = (lam_lamella_grid){.height = 0.1, .thickness = 0.002, .clearance = 0.0005, .pair = fabs(offset) * 2,
-                             .strip_count = 2, .strips = strips, .material = &lam_materials[0]};
-  strips[0] = (lam_sheet_strip){.name = "A01", .station_count = n, .offset = offset,
-                                .stations = LAM_NEW(arena, lam_station, n)};
+  *grid = (lam_lamella_grid){.height = 0.1,
+                             .thickness = 0.002,
+                             .clearance = 0.0005,
+                             .pair = fabs(offset) * 2,
+                             .strip_count = 2,
+                             .strips = strips,
+                             .material = &lam_materials[0]};
+  strips[0] = (lam_sheet_strip){
+      .name = "A01", .station_count = n, .offset = offset, .stations = LAM_NEW(arena, lam_station, n)};
   strips[1].name = "B01";
   for (int i = 0; i < n; i++) {
     double a = arc * i / (n - 1);
     lam_station *station = &strips[0].stations[i];
-    *station = (lam_station){.x = {radius * sin(a), 0, radius * cos(a)}, .t = {cos(a), 0, -sin(a)},
-                             .m = {side * sin(a), 0, side * cos(a)}, .partner = -1, .crossing = -1};
+    *station = (lam_station){.x = {radius * sin(a), 0, radius * cos(a)},
+                             .t = {cos(a), 0, -sin(a)},
+                             .m = {side * sin(a), 0, side * cos(a)},
+                             .partner = -1,
+                             .crossing = -1};
     station->s = 2 * radius * sin(arc / (n - 1) / 2) * i;
     if (i != (n - 1) / 2) continue;
     station->partner = 1;
@@ -134,8 +143,8 @@ static lam_flat *ring_flat(lam_arena *arena, double radius, double arc, int n, d
   return lam_lamella_flat(arena, grid, &strips[0]);
 }
 
-/* Expected: axis points on a circle of the same radius, ends on the x axis, rise R (1 - cos(arc/2)), area L h less the slot
- * (a chord polygon: relative error about (arc/n)^2/8), the middle slot exactly as wide as it must be. */
+/* Expected: axis points on a circle of the same radius, ends on the x axis, rise R (1 - cos(arc/2)), area L h less the
+ * slot (a chord polygon: relative error about (arc/n)^2/8), the middle slot exactly as wide as it must be. */
 static void bent_strips_keep_their_shape(void **state) {
   (void)state;
   const double radius = 2, arc = 1.2, offsets[] = {0, 0.01};
@@ -212,8 +221,10 @@ static void marks_are_complete_and_inside(void **state) {
   const struct {
     int n;
     double spacing, angle, height, thickness, pair, extend;
-  } cases[] = {{7, 0.05, 90, 0.02, 0.001, 0, 0.03},      {15, 0.65, 90, 0.1, 0.0015, 0.025, 0.1},
-               {12, 0.02, 60, 0.02, 0.001, 0, 0.008},    {6, 0.05, 45, 0.1, 0.0015, 0.02, 0.05},
+  } cases[] = {{7, 0.05, 90, 0.02, 0.001, 0, 0.03},
+               {15, 0.65, 90, 0.1, 0.0015, 0.025, 0.1},
+               {12, 0.02, 60, 0.02, 0.001, 0, 0.008},
+               {6, 0.05, 45, 0.1, 0.0015, 0.02, 0.05},
                {9, 0.3, 120, 0.12, 0.003, 0.03, 0.045}};
   for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
     lam_arena *arena = lam_arena_new();
@@ -226,7 +237,8 @@ static void marks_are_complete_and_inside(void **state) {
       int expected = 2 * strokes(arena, strip->name);
       for (int k = 0; k < strip->station_count; k++)
         if (strip->stations[k].partner >= 0) expected += strokes(arena, grid->strips[strip->stations[k].partner].name);
-      if (on_layer(flat, LAM_LAYER_LABEL) != expected) fail_msg("case %d: names are missing on %s", (int)c, strip->name);
+      if (on_layer(flat, LAM_LAYER_LABEL) != expected)
+        fail_msg("case %d: names are missing on %s", (int)c, strip->name);
       assert_true(on_layer(flat, LAM_LAYER_ENGRAVE) >= flat->slot_count + 2 + 3); /* ticks, frames, sign */
     }
     lam_arena_free(arena);

@@ -49,7 +49,8 @@ static void every_character_is_drawn_and_differs(void **state) {
   lam_arena_free(arena);
 }
 
-/* By definition capitals are `height` high, descenders reach height/3, and lam_lettering_width is the width of the box. */
+/* By definition capitals are `height` high, descenders reach height/3, and lam_lettering_width is the width of the box.
+ */
 static void strokes_stay_in_their_box(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -87,7 +88,8 @@ static void words_are_as_wide_as_told(void **state) {
 static void text_turns_about_its_origin(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
-  lam_paths flat = letters(arena, "A07a", lam_v2(0, 0), 0, 1), turned = letters(arena, "A07a", lam_v2(5, 7), acos(0), 1);
+  lam_paths flat = letters(arena, "A07a", lam_v2(0, 0), 0, 1),
+            turned = letters(arena, "A07a", lam_v2(5, 7), acos(0), 1);
   assert_int_equal(flat.count, turned.count);
   for (int i = 0; i < flat.count; i++)
     for (int k = 0; k < flat.items[i].count; k++) {

@@ -6,8 +6,7 @@ enum { n = 25 };
 static const double pi = 3.14159265358979323846;
 
 static void assert_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
+  if (!(fabs(value - expected) <= tolerance)) fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
 }
 
 /* Planes through one straight line: the line stays straight, whatever the twist; all three ways agree on its length. */
@@ -27,8 +26,8 @@ static void twisted_straight_strip(void **state) {
   assert_near(lam_straightness(flat, n), 0, 1e-14);
 }
 
-/* On a cylinder along m any polyline perpendicular to m unrolls straight; with m in the plane of an arc the strip is flat
- * already and keeps its sagitta: R (1 - cos(a/2)), over the length of the inscribed polyline. */
+/* On a cylinder along m any polyline perpendicular to m unrolls straight; with m in the plane of an arc the strip is
+ * flat already and keeps its sagitta: R (1 - cos(a/2)), over the length of the inscribed polyline. */
 static void cylinder_and_plane(void **state) {
   (void)state;
   lam_vec3 x[n], up[n], out[n];
@@ -75,8 +74,8 @@ static void pyramid(void **state) {
   }
 }
 
-/* The case meshes of a prototype, each an optimized asymptotic net of 17 x 17 vertices, and the largest deviation it measured
- * over the 15 + 15 lines inside. By angles alone lines are straight up to the 12 digits of the files. */
+/* The case meshes of a prototype, each an optimized asymptotic net of 17 x 17 vertices, and the largest deviation it
+ * measured over the 15 + 15 lines inside. By angles alone lines are straight up to the 12 digits of the files. */
 static const struct {
   const char *path;
   double planes;
@@ -120,7 +119,8 @@ static void asymptotic_nets_unroll_straight(void **state) {
     straightness s = measure_net(fixture_arena(state), nets[k].path);
     print_message("%s: planes %.3g, angles %.3g, triangles %.3g\n", nets[k].path, s.planes, s.angles, s.triangles);
     if (!(s.angles <= 1e-10)) fail_msg("%s: by angles %g", nets[k].path, s.angles);
-    if (!(s.planes <= 2 * nets[k].planes)) fail_msg("%s: by planes %g, expected about %g", nets[k].path, s.planes, nets[k].planes);
+    if (!(s.planes <= 1.15 * nets[k].planes))
+      fail_msg("%s: by planes %g, expected about %g", nets[k].path, s.planes, nets[k].planes);
   }
 }
 
