@@ -32,8 +32,9 @@ bool lam_scan_word(lam_scan *scan, lam_word *word) {
 bool lam_scan_line(lam_scan *scan) {
   const char *newline = scan->at < scan->end ? memchr(scan->at, '\n', (size_t)(scan->end - scan->at)) : NULL;
   scan->at = newline ? newline + 1 : scan->end;
+  if (scan->at == scan->end) return false; /* what is missing is missing from the last line */
   scan->place.line++;
-  return scan->at < scan->end;
+  return true;
 }
 
 bool lam_word_is(lam_word word, const char *text) {

@@ -2,7 +2,6 @@
 #include "fab/offset.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <new>
 #include <polyclipping/clipper.hpp>
 
@@ -39,20 +38,17 @@ bool can_be_undone(const ClipperLib::Path &path, const ClipperLib::Path &result,
 }
 } // namespace
 
-extern "C" lam_status lam_offset_polygon(const lam_vec2 *points, int count, double distance, lam_vec2 **result,
+extern "C" lam_status lam_offset_polygon(const lam_vec2 *points, int count, double distance, lam_vec2 *result,
                                          int *result_count) {
-  *result = nullptr;
   *result_count = 0;
   try {
     ClipperLib::Path original = to_clipper(points, count);
     ClipperLib::Paths paths = moved(original, distance);
     if (paths.size() != 1 || !can_be_undone(original, paths[0], distance)) return LAM_BAD_INPUT;
     const ClipperLib::Path &path = paths[0];
-    *result = static_cast<lam_vec2 *>(std::malloc(path.size() * sizeof(lam_vec2)));
-    if (!*result) return LAM_NO_MEMORY;
+    if (path.size() > static_cast<size_t>(LAM_OFFSET_ROOM(count))) return LAM_FAILED;
     for (size_t i = 0; i < path.size(); i++)
-      (*result)[i] = {static_cast<double>(path[i].X) / units_per_meter,
-                      static_cast<double>(path[i].Y) / units_per_meter};
+      result[i] = {static_cast<double>(path[i].X) / units_per_meter, static_cast<double>(path[i].Y) / units_per_meter};
     *result_count = static_cast<int>(path.size());
     return LAM_OK;
   } catch (const std::bad_alloc &) {

@@ -1,10 +1,10 @@
 #include "fab/sheet.h"
+#include "fab/axis.h"
 #include "fab/nest.h"
 #include "fab/offset.h"
 #include "fab/splice.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct workbench {
@@ -31,31 +31,68 @@ static double stagger(int group, int sheet) {
   return fractions[group % 2 ? 1 : 0][sheet % 2];
 }
 
+/* How much the longest, and the highest, of the pieces from `first` on exceed the sheet; at most 0 when all fit. */
+static void find_excess(const workbench *bench, int first, double excess[2]) {
+  excess[0] = excess[1] = -INFINITY;
+  for (int i = first; i < bench->pieces.count; i++) {
+    const lam_piece *piece = &bench->pieces.items[i];
+    lam_vec2 min, max;
+    lam_paths_bounds(piece->paths, piece->path_count, &min, &max);
+    excess[0] = fmax(excess[0], max.x - min.x + bench->options.kerf - bench->room[0]);
+    excess[1] = fmax(excess[1], max.y - min.y + bench->options.kerf - bench->room[1]);
+  }
+}
+
+/* Cuts a strip into pieces that fit. Bent pieces are wider than their ends are apart, and high: for them the greatest
+ * length is lowered until they fit. Returns the number of cuts, or -1. */
+static int cut_strip(workbench *bench, int index, const double *avoid, int avoid_count, double fraction,
+                     double **cuts) {
+  const lam_part *part = &bench->parts[index];
+  double longest = bench->room[0] - bench->options.kerf, shortest = 2 * lam_splice_for(part->flat->height).half;
+  int first = bench->pieces.count;
+  while (longest > shortest) {
+    double excess[2];
+    int count = lam_splice_cuts(bench->arena, part->flat, longest, avoid, avoid_count, fraction, cuts);
+    if (count < 0) return -1;
+    bench->pieces.count = first;
+    lam_splice_pieces(&bench->pieces, index, part, *cuts, count);
+    find_excess(bench, first, excess);
+    if (excess[0] <= 1e-9 && excess[1] <= 1e-9) return count;
+    longest = excess[1] > 1e-9 ? 0.9 * longest : longest - excess[0] - 1e-6;
+  }
+  bench->pieces.count = first;
+  return -1;
+}
+
 /* Splits a strip that is too long; earlier: the cuts of the last lamella, updated. */
 static void split_part(workbench *bench, int index, group_cuts *earlier) {
   const lam_part *part = &bench->parts[index];
   const lam_flat *flat = part->flat;
-  double length = part->flat->max.x - part->flat->min.x, *cuts;
+  double length = lam_axis_make(bench->arena, flat->axis, flat->axis_count).length, *cuts;
   if (part->group < 0 || earlier->group != part->group) *earlier = (group_cuts){part->group, 0, 0, NULL};
   double *avoid = LAM_NEW(bench->arena, double, earlier->count);
-  double total = 0;
-  for (int i = 1; i < flat->axis_count; i++)
-    total += hypot(flat->axis[i].x - flat->axis[i - 1].x, flat->axis[i].y - flat->axis[i - 1].y);
-  for (int i = 0; i < earlier->count; i++) avoid[i] = flat->reversed ? total - earlier->items[i] : earlier->items[i];
-  int count = lam_splice_cuts(bench->arena, flat, bench->room[0] - bench->options.kerf, avoid, earlier->count,
-                              stagger(part->group, earlier->sheets), &cuts);
+  for (int i = 0; i < earlier->count; i++) avoid[i] = flat->reversed ? length - earlier->items[i] : earlier->items[i];
+  int count = cut_strip(bench, index, avoid, earlier->count, stagger(part->group, earlier->sheets), &cuts);
   if (count < 0) {
     lam_error_add(
         bench->errors, bench->place, stock_key,
-        "%s is %.0f mm long, the sheet has room for %.0f mm, and its slots leave no room for a splice of %.0f mm",
-        part->name, length * 1e3, bench->room[0] * 1e3, 2e3 * lam_splice_for(flat->height).half);
+        "%s is %.0f mm long, the sheet has room for %.0f mm x %.0f mm, and its slots leave no room for splices "
+        "of %.0f mm",
+        part->name, length * 1e3, bench->room[0] * 1e3, bench->room[1] * 1e3, 2e3 * lam_splice_for(flat->height).half);
     return;
   }
-  lam_splice_pieces(&bench->pieces, index, part, cuts, count);
   double *all = LAM_NEW(bench->arena, double, earlier->count + count);
   for (int i = 0; i < earlier->count; i++) all[i] = earlier->items[i];
-  for (int i = 0; i < count; i++) all[earlier->count + i] = flat->reversed ? total - cuts[i] : cuts[i];
+  for (int i = 0; i < count; i++) all[earlier->count + i] = flat->reversed ? length - cuts[i] : cuts[i];
   *earlier = (group_cuts){part->group, earlier->count + count, earlier->sheets + 1, all};
+}
+
+/* True for a strip that a sheet has no room for, but may have for its pieces. */
+static bool must_be_split(const workbench *bench, const lam_flat *flat) {
+  double width = flat->max.x - flat->min.x + bench->options.kerf,
+         height = flat->max.y - flat->min.y + bench->options.kerf;
+  return flat->axis_count >= 2 && flat->height + bench->options.kerf <= bench->room[1] + 1e-9 &&
+         (width > bench->room[0] + 1e-9 || height > bench->room[1] + 1e-9);
 }
 
 /* Every instance of every flat part as pieces that are short enough. */
@@ -65,10 +102,9 @@ static void make_pieces(workbench *bench, int part_count) {
     const lam_part *part = &bench->parts[i];
     if (!part->flat) continue;
     const lam_flat *flat = part->flat;
-    double length = flat->max.x - flat->min.x + bench->options.kerf;
     int copies = part->instance_count > 0 ? part->instance_count : 1;
     for (int copy = 0; copy < copies; copy++) {
-      if (length > bench->room[0] + 1e-9 && flat->axis_count >= 2) {
+      if (must_be_split(bench, flat)) {
         split_part(bench, i, &earlier);
         continue;
       }
@@ -86,20 +122,16 @@ static void apply_kerf(workbench *bench, lam_piece *piece) {
   for (int i = 0; i < piece->path_count && bench->options.kerf > 0; i++) {
     lam_path *path = &paths[i];
     if (path->layer != LAM_LAYER_CUT || !path->closed) continue;
-    lam_vec2 *moved;
-    int count;
+    lam_vec2 *moved = LAM_NEW(bench->arena, lam_vec2, LAM_OFFSET_ROOM(path->count));
     double half = bench->options.kerf / 2;
-    lam_status status = lam_offset_polygon(path->points, path->count, path->hole ? -half : half, &moved, &count);
+    lam_status status = lam_offset_polygon(path->points, path->count, path->hole ? -half : half, moved, &path->count);
     if (status == LAM_NO_MEMORY) lam_arena_exhausted(bench->arena);
     if (status != LAM_OK) {
       lam_error_add(bench->errors, bench->place, "sheets.kerf",
                     "%s has a slot or hole narrower than the kerf of %.3f mm", piece->label, bench->options.kerf * 1e3);
       return;
     }
-    path->points = LAM_NEW(bench->arena, lam_vec2, count);
-    memcpy(path->points, moved, (size_t)count * sizeof *moved);
-    path->count = count;
-    free(moved);
+    path->points = moved;
   }
   piece->paths = paths;
 }

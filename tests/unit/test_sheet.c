@@ -1,9 +1,7 @@
-/* Sheets: nesting, kerf, splitting. */
+/* Sheets: layout, kerf, splitting. */
 #include "plane_grid.h"
 
-#include "fab/axis.h"
-#include "fab/nest.h"
-#include "fab/offset.h"
+#include "fab/path.h"
 #include "fab/sheet.h"
 #include "fab/splice.h"
 
@@ -30,93 +28,6 @@ static box bounds(const lam_path *paths, int count) {
 /* Distance between two boxes; negative when they overlap. */
 static double gap(box a, box b) {
   return fmax(fmax(a.min.x - b.max.x, b.min.x - a.max.x), fmax(a.min.y - b.max.y, b.min.y - a.max.y));
-}
-
-/* ---- nesting ---- */
-
-/* 400 rectangles of many sizes (a linear congruential generator, fixed seed): none overlaps another, none leaves its
- * sheet, and the sheets are at least as many as the area asks for and at most twice as many. */
-static void rectangles_do_not_overlap(void **state) {
-  (void)state;
-  lam_arena *arena = lam_arena_new();
-  enum { N = 400 };
-  lam_nest_item items[N] = {{0}};
-  unsigned random = 12345;
-  double area = 0;
-  for (int i = 0; i < N; i++) {
-    random = random * 1103515245u + 12345u;
-    items[i].width = 0.02 + (random >> 16) % 1000 / 1000.0 * 0.9;
-    random = random * 1103515245u + 12345u;
-    items[i].height = 0.02 + (random >> 16) % 1000 / 1000.0 * 0.3;
-    area += items[i].width * items[i].height;
-  }
-  int sheets = lam_nest(arena, items, N, 2, 1);
-  assert_true(sheets >= area / 2 && sheets <= area);
-  for (int i = 0; i < N; i++) {
-    assert_true(items[i].sheet >= 0 && items[i].sheet < sheets);
-    box a = {{items[i].x, items[i].y}, {items[i].x + items[i].width, items[i].y + items[i].height}};
-    assert_true(a.min.x >= 0 && a.min.y >= 0 && a.max.x <= 2 + 1e-9 && a.max.y <= 1 + 1e-9);
-    for (int k = 0; k < i; k++) {
-      box b = {{items[k].x, items[k].y}, {items[k].x + items[k].width, items[k].y + items[k].height}};
-      assert_true(items[k].sheet != items[i].sheet || gap(a, b) >= -1e-9);
-    }
-  }
-  lam_arena_free(arena);
-}
-
-/* Strips that fill a sheet exactly need exactly that many sheets: 2 x 10 of 1 m x 0.1 m on 2 m x 1 m. */
-static void full_sheets_are_filled(void **state) {
-  (void)state;
-  lam_arena *arena = lam_arena_new();
-  lam_nest_item items[40];
-  for (int i = 0; i < 40; i++) items[i] = (lam_nest_item){1, 0.1, 0, 0, 0};
-  assert_int_equal(lam_nest(arena, items, 40, 2, 1), 2);
-  lam_arena_free(arena);
-}
-
-/* ---- kerf ---- */
-
-/* A comb of 100 x 20 mm with a slot of 2 mm moved outward by 0.1 mm: 100.2 x 20.2, slot 1.8; moved inward: the reverse.
- * A slot of 2 mm cannot take a kerf of 2.2 mm. */
-static void offset_moves_every_side(void **state) {
-  (void)state;
-  const lam_vec2 comb[] = {{0, 0},        {0.1, 0},      {0.1, 0.02},   {0.051, 0.02},
-                           {0.051, 0.01}, {0.049, 0.01}, {0.049, 0.02}, {0, 0.02}};
-  for (int side = -1; side <= 1; side += 2) {
-    lam_vec2 *moved;
-    int count;
-    double d = side * 1e-4;
-    assert_int_equal(lam_offset_polygon(comb, 8, d, &moved, &count), LAM_OK);
-    lam_path path = {LAM_LAYER_CUT, true, false, count, moved};
-    box b = bounds(&path, 1);
-    assert_int_equal(count, 8);
-    assert_near(b.max.x - b.min.x, 0.1 + 2 * d, 2e-9);
-    assert_near(b.max.y - b.min.y, 0.02 + 2 * d, 2e-9);
-    assert_near(lam_path_area(&path), (0.1 + 2 * d) * (0.02 + 2 * d) - (0.002 - 2 * d) * 0.01, 1e-9);
-    free(moved);
-  }
-  lam_vec2 *moved;
-  int count;
-  assert_int_equal(lam_offset_polygon(comb, 8, 1.1e-3, &moved, &count), LAM_BAD_INPUT);
-  assert_null(moved);
-  assert_int_equal(lam_offset_polygon(comb, 8, -0.02, &moved, &count), LAM_BAD_INPUT);
-}
-
-/* A hole for an M8 bolt keeps the area of its circle (pi/4 d^2), and loses the kerf from its diameter. */
-static void holes_shrink_by_the_kerf(void **state) {
-  (void)state;
-  lam_arena *arena = lam_arena_new();
-  lam_paths paths = {.arena = arena};
-  lam_paths_hole(&paths, lam_v2(1, 1), 0.009);
-  assert_near(lam_path_area(&paths.items[0]), acos(-1) / 4 * 81e-6, 1e-12);
-  lam_vec2 *moved;
-  int count;
-  assert_int_equal(lam_offset_polygon(paths.items[0].points, paths.items[0].count, -0.0001, &moved, &count), LAM_OK);
-  lam_path path = {LAM_LAYER_CUT, true, true, count, moved};
-  box before = bounds(paths.items, 1), after = bounds(&path, 1);
-  assert_near(before.max.x - before.min.x - (after.max.x - after.min.x), 0.0002, 1e-6);
-  free(moved);
-  lam_arena_free(arena);
 }
 
 /* ---- sheets ---- */
@@ -157,7 +68,7 @@ static bench hall(void) {
 /* Everything lies inside the margin, and parts keep their distance. */
 static void check_layout(const bench *b) {
   const lam_sheet_options *o = &b->options;
-  assert_int_equal(b->errors.count, 0);
+  if (b->errors.count) fail_msg("%s", b->errors.first->text);
   for (int s = 0; s < b->sheets.count; s++) {
     const lam_sheet *sheet = &b->sheets.sheets[s];
     assert_true(sheet->placed_count > 0);
@@ -327,10 +238,10 @@ static void pieces_are_marked(void **state) {
   lam_arena_free(b.arena);
 }
 
-/* A bent strip: a sector of a ring of radius 4 m, 6 m long, is split too; lengths and areas add up, and its pieces are
- * no wider than their chord says. */
-static void bent_strips_are_split(void **state) {
-  (void)state;
+/* A bent strip: a sector of a ring of radius 4 m, 6 m long, is split too; lengths and areas add up. A piece of angle f
+ * is 2 R sin(f/2) wide and R - r cos(f/2) high with R = 4.05 m, r = 3.95 m: wider than its ends are apart, and where
+ * the stock is low, too high unless it is cut shorter. */
+static void check_bent_strip(double width, double height, int expected) {
   lam_arena *arena = lam_arena_new();
   enum { N = 121 };
   lam_lamella_grid grid = {
@@ -348,7 +259,7 @@ static void bent_strips_are_split(void **state) {
   strip.length = strip.stations[N - 1].s;
   lam_part part = {
       .name = "A01", .group = 0, .material = grid.material, .flat = lam_lamella_flat(arena, &grid, &strip)};
-  bench b = {.arena = arena, .parts = &part, .part_count = 1, .options = {{2.5, 1.25}, 0.0002, 0.01, 0.01}};
+  bench b = {.arena = arena, .parts = &part, .part_count = 1, .options = {{width, height}, 0.0002, 0.01, 0.01}};
   lay(&b);
   check_layout(&b);
   double hole = acos(-1) / 4 * pow(lam_splice_for(0.1).hole, 2), length = 0, area = 0;
@@ -365,10 +276,17 @@ static void bent_strips_are_split(void **state) {
       area += placed->area;
       pieces++;
     }
-  assert_int_equal(pieces, 3); /* 6 m from 2.48 m */
+  assert_int_equal(pieces, expected);
   assert_near(length, strip.length, 1e-9);
-  assert_near(area, lam_paths_area(part.flat->paths, part.flat->path_count) - 16 * hole, 1e-9);
+  assert_near(area, lam_paths_area(part.flat->paths, part.flat->path_count) - (pieces - 1) * 8 * hole, 1e-9);
   lam_arena_free(arena);
+}
+
+static void bent_strips_are_split(void **state) {
+  (void)state;
+  check_bent_strip(2.5, 1.25, 3);
+  check_bent_strip(2.05, 1.25, 3); /* 2 m pieces are 2.004 m wide, and may be cut a little longer only */
+  check_bent_strip(3.1, 0.2, 4);   /* 180 mm high: f <= 0.40, at most 1.6 m */
 }
 
 /* ---- grouping and messages ---- */
@@ -429,7 +347,7 @@ static void impossible_sheets_are_explained(void **state) {
   b.options.stock[0] = 0.2; /* splices of 28 mm between slots 25 mm apart */
   b.options.stock[1] = 0.1;
   lay(&b);
-  assert_true(mentions(&b.errors, "leave no room for a splice"));
+  assert_true(mentions(&b.errors, "leave no room for splices"));
   lam_arena_free(b.arena);
 }
 
@@ -453,10 +371,6 @@ static void sheets_are_deterministic(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(rectangles_do_not_overlap),
-      cmocka_unit_test(full_sheets_are_filled),
-      cmocka_unit_test(offset_moves_every_side),
-      cmocka_unit_test(holes_shrink_by_the_kerf),
       cmocka_unit_test(every_part_is_placed_once),
       cmocka_unit_test(kerf_is_applied_once),
       cmocka_unit_test(pieces_add_up),

@@ -222,6 +222,8 @@ static void overlaps_of_two_cubes(void **state) {
     lam_trimesh b = mesh_cube(*state, cases[i].x, cases[i].y, cases[i].z, cases[i].side);
     double volume = overlap_of(&a, &b, NULL);
     if (fabs(volume - cases[i].volume) > (cases[i].volume > 0 ? 1e-14 : 0)) fail_msg("case %zu: %.17g", i, volume);
+    assert_int_equal(lam_prism_volume(&a, &b, &volume), LAM_OK);
+    if (fabs(volume - cases[i].volume) > 1e-14) fail_msg("case %zu by integration: %.17g", i, volume);
   }
 }
 

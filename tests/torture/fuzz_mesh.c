@@ -1,0 +1,159 @@
+/* STL and OBJ files of any bytes: the readers must not crash, must say what is wrong in single lines, and what they do
+ * read must be measured without harm.
+ *
+ * As a fuzzer:
+ *   clang -g -O1 -std=c11 -D_GNU_SOURCE -fsanitize=fuzzer,address,undefined -Igen -I. tests/torture/fuzz_mesh.c \
+ *     formats/stl.c formats/obj.c formats/scan.c build/liblamella.a -lgmp -lmpfr -lstdc++ -lm -o fuzz_mesh
+ *   ./fuzz_mesh -max_len=4096 corpus
+ * As a test, with -DLAM_FUZZ_DRIVER: mutates small files in a fixed sequence.
+ *   fuzz_mesh [ROUNDS [SEED]] */
+#include "core/mesh.h"
+#include "core/solid.h"
+#include "formats/format.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const lam_format lam_format_stl, lam_format_obj;
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void fail(const char *what) {
+  fprintf(stderr, "fuzz_mesh: %s\n", what);
+  abort();
+}
+
+static void check_messages(const lam_errors *errors, bool good) {
+  if (good != (errors->count == 0)) fail("messages and result disagree");
+  for (const lam_error *e = errors->first; e; e = e->next)
+    if (!e->text[0] || strchr(e->text, '\n') || e->place.line < 0) fail("a message is not one line");
+}
+
+/* Closest points and overlaps with a box, of small meshes. */
+static void use(lam_arena *arena, const lam_trimesh *read) {
+  enum { largest = 400 };
+  if (read->triangle_count > largest) return;
+  lam_trimesh mesh = lam_trimesh_weld(arena, read, 0);
+  lam_solid_facts facts;
+  if (lam_solid_measure(&mesh, true, &facts) != LAM_OK) fail("a mesh that was read cannot be measured");
+  if (facts.components > facts.triangles || facts.self_intersections < 0) fail("wrong counts");
+  lam_tree *tree = lam_tree_new(&mesh);
+  if (tree) {
+    lam_vec3 closest;
+    int triangle;
+    lam_tree_closest(tree, lam_v3(0.1, 0.2, 0.3), &closest, &triangle);
+    if (triangle < 0 || triangle >= mesh.triangle_count) fail("no closest triangle");
+    lam_tree_free(tree);
+  }
+  lam_solid_set *set = lam_solid_set_new();
+  lam_frame moved = {{0.001, 0.002, 0.003}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  double volume = 0;
+  if (set && lam_solid_set_add(set, &mesh, NULL) == 0 && lam_solid_set_add(set, &mesh, &moved) == 1)
+    if (lam_solid_set_overlap(set, 0, 1, &volume) == LAM_OK && !(volume >= 0)) fail("a negative overlap");
+  lam_solid_set_free(set);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  const lam_format *const formats[] = {&lam_format_stl, &lam_format_obj};
+  for (int i = 0; i < 2; i++) {
+    lam_arena *arena = lam_arena_new();
+    if (!arena) return 0;
+    char *bytes = lam_arena_alloc(arena, size, 1);
+    if (size) memcpy(bytes, data, size);
+    lam_errors errors = {.arena = arena}, more = {.arena = arena};
+    lam_trimesh triangles;
+    bool good = formats[i]->read_triangles(arena, bytes, size, (lam_place){.file = "fuzz"}, &errors, &triangles);
+    check_messages(&errors, good);
+    if (good) use(arena, &triangles);
+    lam_mesh mesh;
+    if (formats[i]->read_mesh)
+      check_messages(&more, formats[i]->read_mesh(arena, bytes, size, (lam_place){.file = "fuzz"}, &more, &mesh));
+    lam_arena_free(arena);
+  }
+  return 0;
+}
+
+#ifdef LAM_FUZZ_DRIVER
+static const char obj[] =
+    "# cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+    "f 1 3 4 2\nf 5/1 6/1 8/1 7/1\nf 1//1 2//1 6//1 5//1\nf -6 -2 -1 -5\nf 1/1/1 5 7 3\nf 2 4 8 6\n"
+    "g x\nl 1 2 3\nusemtl y\n";
+static const char stl[] =
+    "solid t\nfacet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 9 0 vertex 9 0 0 endloop endfacet\n"
+    "facet normal 0 -1 0 outer loop vertex 0 0 0 vertex 9 0 0 vertex 0 0 9 endloop endfacet\n"
+    "facet normal -1 0 0 outer loop vertex 0 0 0 vertex 0 0 9 vertex 0 9 0 endloop endfacet\n"
+    "facet normal 1 1 1 outer loop vertex 9 0 0 vertex 0 9 0 vertex 0 0 9 endloop endfacet\n"
+    "endsolid t\n";
+
+static uint64_t next(uint64_t *state) { /* xorshift64* (S. Vigna) */
+  *state ^= *state >> 12;
+  *state ^= *state << 25;
+  *state ^= *state >> 27;
+  return *state * 0x2545f4914f6cdd1dULL;
+}
+
+/* A binary STL of the text's four triangles, with small whole coordinates. */
+static size_t binary_seed(uint8_t *bytes) {
+  static const float corners[4][9] = {{0, 0, 0, 0, 9, 0, 9, 0, 0},
+                                      {0, 0, 0, 9, 0, 0, 0, 0, 9},
+                                      {0, 0, 0, 0, 0, 9, 0, 9, 0},
+                                      {9, 0, 0, 0, 9, 0, 0, 0, 9}};
+  memset(bytes, 0, 84 + 200);
+  bytes[80] = 4;
+  for (int i = 0; i < 4; i++) memcpy(bytes + 84 + 50 * i + 12, corners[i], 36);
+  return 84 + 200;
+}
+
+/* Swaps, overwrites and repeats a few bytes; numbers change into other numbers most often. */
+static size_t mutate(uint64_t *state, uint8_t *bytes, size_t size, size_t capacity) {
+  static const char likely[] = "0123456789.-/e \nvf";
+  for (uint64_t n = 1 + next(state) % 6; n && size; n--) {
+    size_t at = next(state) % size, to = next(state) % size, length = next(state) % 24;
+    switch (next(state) % 5) {
+    case 0:
+      bytes[at] = (uint8_t)next(state);
+      break;
+    case 1:
+      bytes[at] = bytes[to];
+      break;
+    case 2:
+      size = next(state) % 8 ? size : at;
+      break;
+    case 3:
+      if (size + length > capacity || to + length > size) break;
+      memmove(bytes + to + length, bytes + to, size - to);
+      size += length;
+      break;
+    default:
+      bytes[at] = (uint8_t)likely[next(state) % (sizeof likely - 1)];
+    }
+  }
+  return size;
+}
+
+int main(int argc, char **argv) {
+  long rounds = argc > 1 ? atol(argv[1]) : 20000;
+  uint64_t state = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
+  if (!state) state = 1;
+  uint8_t bytes[4096];
+  for (long i = 0; i < rounds; i++) {
+    size_t size = 0;
+    switch (i % 3) {
+    case 0:
+      memcpy(bytes, obj, size = sizeof obj - 1);
+      break;
+    case 1:
+      memcpy(bytes, stl, size = sizeof stl - 1);
+      break;
+    default:
+      size = binary_seed(bytes);
+    }
+    if (i >= 3) size = mutate(&state, bytes, size, sizeof bytes); /* the seeds themselves first */
+    LLVMFuzzerTestOneInput(bytes, size);
+  }
+  printf("%ld files\n", rounds);
+  return 0;
+}
+#endif

@@ -1,0 +1,119 @@
+/* What sheets are made with: rectangles packed, polygons moved by the kerf. */
+#include "plane_grid.h"
+
+#include "fab/nest.h"
+#include "fab/offset.h"
+#include "fab/path.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+typedef struct box {
+  lam_vec2 min, max;
+} box;
+
+static box bounds(const lam_path *paths, int count) {
+  box b;
+  lam_paths_bounds(paths, count, &b.min, &b.max);
+  return b;
+}
+
+/* Distance between two boxes; negative when they overlap. */
+static double gap(box a, box b) {
+  return fmax(fmax(a.min.x - b.max.x, b.min.x - a.max.x), fmax(a.min.y - b.max.y, b.min.y - a.max.y));
+}
+
+/* ---- nesting ---- */
+
+/* 400 rectangles of many sizes (a linear congruential generator, fixed seed): none overlaps another, none leaves its
+ * sheet, and the sheets are at least as many as the area asks for and at most twice as many. */
+static void rectangles_do_not_overlap(void **state) {
+  (void)state;
+  lam_arena *arena = lam_arena_new();
+  enum { N = 400 };
+  lam_nest_item items[N] = {{0}};
+  unsigned random = 12345;
+  double area = 0;
+  for (int i = 0; i < N; i++) {
+    random = random * 1103515245u + 12345u;
+    items[i].width = 0.02 + (random >> 16) % 1000 / 1000.0 * 0.9;
+    random = random * 1103515245u + 12345u;
+    items[i].height = 0.02 + (random >> 16) % 1000 / 1000.0 * 0.3;
+    area += items[i].width * items[i].height;
+  }
+  int sheets = lam_nest(arena, items, N, 2, 1);
+  assert_true(sheets >= area / 2 && sheets <= area);
+  for (int i = 0; i < N; i++) {
+    assert_true(items[i].sheet >= 0 && items[i].sheet < sheets);
+    box a = {{items[i].x, items[i].y}, {items[i].x + items[i].width, items[i].y + items[i].height}};
+    assert_true(a.min.x >= 0 && a.min.y >= 0 && a.max.x <= 2 + 1e-9 && a.max.y <= 1 + 1e-9);
+    for (int k = 0; k < i; k++) {
+      box b = {{items[k].x, items[k].y}, {items[k].x + items[k].width, items[k].y + items[k].height}};
+      assert_true(items[k].sheet != items[i].sheet || gap(a, b) >= -1e-9);
+    }
+  }
+  lam_arena_free(arena);
+}
+
+/* Strips that fill a sheet exactly need exactly that many sheets: 2 x 10 of 1 m x 0.1 m on 2 m x 1 m. */
+static void full_sheets_are_filled(void **state) {
+  (void)state;
+  lam_arena *arena = lam_arena_new();
+  lam_nest_item items[40];
+  for (int i = 0; i < 40; i++) items[i] = (lam_nest_item){1, 0.1, 0, 0, 0};
+  assert_int_equal(lam_nest(arena, items, 40, 2, 1), 2);
+  lam_arena_free(arena);
+}
+
+/* ---- kerf ---- */
+
+/* A comb of 100 x 20 mm with a slot of 2 mm moved outward by 0.1 mm: 100.2 x 20.2, slot 1.8; moved inward: the reverse.
+ * A slot of 2 mm cannot take a kerf of 2.2 mm. */
+static void offset_moves_every_side(void **state) {
+  (void)state;
+  const lam_vec2 comb[] = {{0, 0},        {0.1, 0},      {0.1, 0.02},   {0.051, 0.02},
+                           {0.051, 0.01}, {0.049, 0.01}, {0.049, 0.02}, {0, 0.02}};
+  lam_vec2 moved[LAM_OFFSET_ROOM(48)];
+  int count;
+  for (int side = -1; side <= 1; side += 2) {
+    double d = side * 1e-4;
+    assert_int_equal(lam_offset_polygon(comb, 8, d, moved, &count), LAM_OK);
+    lam_path path = {LAM_LAYER_CUT, true, false, count, moved};
+    box b = bounds(&path, 1);
+    assert_int_equal(count, 8);
+    assert_near(b.max.x - b.min.x, 0.1 + 2 * d, 2e-9);
+    assert_near(b.max.y - b.min.y, 0.02 + 2 * d, 2e-9);
+    assert_near(lam_path_area(&path), (0.1 + 2 * d) * (0.02 + 2 * d) - (0.002 - 2 * d) * 0.01, 1e-9);
+  }
+  assert_int_equal(lam_offset_polygon(comb, 8, 1.1e-3, moved, &count), LAM_BAD_INPUT);
+  assert_int_equal(lam_offset_polygon(comb, 8, -0.02, moved, &count), LAM_BAD_INPUT);
+}
+
+/* A hole for an M8 bolt keeps the area of its circle (pi/4 d^2), and loses the kerf from its diameter. */
+static void holes_shrink_by_the_kerf(void **state) {
+  (void)state;
+  lam_arena *arena = lam_arena_new();
+  lam_paths paths = {.arena = arena};
+  lam_paths_hole(&paths, lam_v2(1, 1), 0.009);
+  assert_near(lam_path_area(&paths.items[0]), acos(-1) / 4 * 81e-6, 1e-12);
+  lam_vec2 moved[LAM_OFFSET_ROOM(48)];
+  int count;
+  assert_int_equal(lam_offset_polygon(paths.items[0].points, paths.items[0].count, -0.0001, moved, &count), LAM_OK);
+  lam_path path = {LAM_LAYER_CUT, true, true, count, moved};
+  box before = bounds(paths.items, 1), after = bounds(&path, 1);
+  assert_near(before.max.x - before.min.x - (after.max.x - after.min.x), 0.0002, 1e-6);
+  lam_arena_free(arena);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(rectangles_do_not_overlap),
+      cmocka_unit_test(full_sheets_are_filled),
+      cmocka_unit_test(offset_moves_every_side),
+      cmocka_unit_test(holes_shrink_by_the_kerf),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
