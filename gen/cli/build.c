@@ -3,6 +3,7 @@
 #include "cli/input.h"
 #include "cli/mesh_files.h"
 #include "cli/output.h"
+#include "cli/references.h"
 #include "cli/report_table.h"
 #include "cli/run.h"
 #include "cli/templates.h"
@@ -150,6 +151,7 @@ static int build(lam_arena *arena, int argc, char **argv) {
   if (given.only) lam_output_check(given.only, &errors);
   if (!lam_input_read(arena, given.path, (lam_place){0}, NULL, &errors, &bytes, &count)) return lam_complain(&errors);
   lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, design);
+  if (errors.count == 0) lam_references_check(design, &errors);
   if (errors.count) return lam_complain(&errors);
   source_files files = {.design = given.path};
   lam_loader loader = {load_mesh, load_triangles, &files};

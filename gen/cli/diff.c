@@ -1,7 +1,7 @@
 #include "cli/diff.h"
 
 #include "cli/mesh_input.h"
-#include "cli/verbs_mesh.h"
+#include "cli/verbs.h"
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,6 +25,9 @@ static const char help[] =
     "\n"
     "exit code: 0 the same; 1 different; 2 bad input\n";
 
+/* Above every character, so that getopt_long's optopt tells short options from long ones. */
+enum { option_json = 256, option_help, option_mask, option_tolerance };
+
 static bool is_picture(const char *path) {
   size_t length = strlen(path);
   return length >= 4 && strcasecmp(path + length - 4, ".png") == 0;
@@ -43,25 +46,25 @@ static int diff(lam_arena *arena, const lam_diff_request *request) {
 }
 
 int lam_verb_diff(int argc, char **argv) {
-  static const struct option options[] = {{"tolerance", required_argument, NULL, 't'},
-                                          {"mask", required_argument, NULL, 'm'},
-                                          {"json", no_argument, NULL, 'j'},
-                                          {"help", no_argument, NULL, 'h'},
+  static const struct option options[] = {{"tolerance", required_argument, NULL, option_tolerance},
+                                          {"mask", required_argument, NULL, option_mask},
+                                          {"json", no_argument, NULL, option_json},
+                                          {"help", no_argument, NULL, option_help},
                                           {NULL, 0, NULL, 0}};
   lam_diff_request request = {.tolerance = -1};
   opterr = optind = 0;
   for (int result; (result = getopt_long(argc, argv, ":", options, NULL)) != -1;) {
     char *end = NULL;
     switch (result) {
-    case 'h':
+    case option_help:
       return fputs(help, stdout) < 0 ? 2 : 0;
-    case 'j':
+    case option_json:
       request.json = true;
       break;
-    case 'm':
+    case option_mask:
       request.mask = optarg;
       break;
-    case 't':
+    case option_tolerance:
       request.tolerance = strtod(optarg, &end);
       if (end == optarg || *end || !isfinite(request.tolerance) || request.tolerance < 0)
         return lam_verb_error(argv[0], "--tolerance: \"%s\" given, a number of at least 0 expected", optarg);

@@ -68,7 +68,7 @@ static void print_rows(const comparison *c, const row *rows) {
     print_value(r, r->a);
     print_value(r, r->b);
     const char *unit = r->scale > 1 ? r->unit : "";
-    printf(" %-14.4g %.4g %s%s\n", r->difference * r->scale, r->limit * r->scale, unit,
+    printf(" %-14.4g %.4g%s%s%s\n", r->difference * r->scale, r->limit * r->scale, *unit ? " " : "", unit,
            differs(r) ? "  <-- differs" : "");
   }
   printf("sampled every %.3g mm\n", c->spacing * 1000);

@@ -1,5 +1,5 @@
 #include "cli/mesh_input.h"
-#include "cli/verbs_mesh.h"
+#include "cli/verbs.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -68,14 +68,17 @@ static int inspect(lam_arena *arena, const char *path, bool json) {
   return valid ? 0 : 1;
 }
 
+/* Above every character, so that getopt_long's optopt tells short options from long ones. */
+enum { option_json = 256, option_help };
+
 int lam_verb_inspect(int argc, char **argv) {
   static const struct option options[] = {
-      {"json", no_argument, NULL, 'j'}, {"help", no_argument, NULL, 'h'}, {NULL, 0, NULL, 0}};
+      {"json", no_argument, NULL, option_json}, {"help", no_argument, NULL, option_help}, {NULL, 0, NULL, 0}};
   bool json = false;
   opterr = optind = 0;
   for (int result; (result = getopt_long(argc, argv, ":", options, NULL)) != -1;) {
-    if (result == 'h') return fputs(help, stdout) < 0 ? 2 : 0;
-    if (result != 'j') return lam_verb_option_error(argv, result);
+    if (result == option_help) return fputs(help, stdout) < 0 ? 2 : 0;
+    if (result != option_json) return lam_verb_option_error(argv, result);
     json = true;
   }
   if (argc - optind != 1) return lam_verb_error(argv[0], "%d files given, 1 expected (see --help)", argc - optind);

@@ -1,7 +1,6 @@
 /* The program: finds the verb and hands it its arguments. */
 #include "cli/complain.h"
 #include "cli/verbs.h"
-#include "cli/verbs_mesh.h"
 #include "core/error.h"
 #include "solve/factor.h"
 

@@ -9,7 +9,8 @@
 void lam_verb_errors(const char *verb, const lam_errors *errors);
 /* Prints one message of the same form, without a file, and returns exit code 2. */
 int lam_verb_error(const char *verb, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* The message about the option that getopt_long just refused (opterr must be 0). Returns exit code 2. */
+/* The message about the option that getopt_long just refused (opterr must be 0, and values of long options above 255).
+ * Returns exit code 2. */
 int lam_verb_option_error(char **argv, int result);
 
 /* Reads an STL or OBJ file as triangles, welds and measures it. On failure adds to errors and returns false. */

@@ -33,16 +33,19 @@ static const lam_key render_keys[] = {
      .min = 16,
      .max = 16384,
      .doc = "Width and height of the picture in pixels."},
-    {.name = "quality",
-     .type = LAM_KEY_CHOICE,
-     .offset = IN_RENDER(quality_index),
-     .count = 1,
-     .initial = "final",
-     .choices = lam_qualities,
-     .doc =
-         "A section of templates/pov/render.ini: draft takes seconds and has no indirect light, middle a minute, final "
-            "minutes, print longer; exact is final with the same pixels every time; golden and mask (a flat color per part) "
-            "are for comparing.",},
+    {
+        .name = "quality",
+        .type = LAM_KEY_CHOICE,
+        .offset = IN_RENDER(quality_index),
+        .count = 1,
+        .initial = "final",
+        .choices = lam_qualities,
+        .doc = "A section of templates/pov/render.ini: draft takes seconds and has no indirect light, middle a minute, "
+               "final "
+               "minutes, print longer; exact is final with the same pixels every time; golden and mask (a flat color "
+               "per part) "
+               "are for comparing.",
+    },
     {.name = NULL},
 };
 

@@ -85,9 +85,9 @@ static const lam_key keys[] = {{.name = "families",
                                 .initial = "1",
                                 .min = 1,
                                 .max = 1000,
-                                .doc = "Every k-th polyline of a family carries a lamella, placed evenly between the "
-                                       "first and the last, both included when k "
-                                       "divides their distance; a finer net gives smoother lamellas."},
+                                .doc = "Every k-th polyline of a family carries a lamella. The first and the last "
+                                       "polyline are among them where k divides "
+                                       "their distance; a finer net gives smoother lamellas."},
                                {.name = "extend",
                                 .type = LAM_KEY_NUMBER,
                                 .unit = LAM_UNIT_LENGTH,

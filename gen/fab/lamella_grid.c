@@ -39,26 +39,12 @@ static lam_vec3 at(const layout *l, int v) { return l->shop->net->mesh.vertices[
 
 /* ---- which polylines carry lamellas ---- */
 
-static bool is_boundary_line(const lam_net *net, const lam_polyline *line) {
-  for (int i = 0; i + 1 < line->count; i++) {
-    int v = line->vertices[i], w = line->vertices[i + 1];
-    if (!net->boundary[v] || !net->boundary[w]) return false;
-    if (net->ring[net->ring_start[v]] != w && net->ring[net->ring_start[v + 1] - 1] != w) return false;
-  }
-  return true;
-}
-
-/* Every k-th of the n polylines of a family, as far from the first as from the last: with (n - 1) mod k = 0 both ends
- * are among them. */
-static void select_lamellas(layout *l, int family) {
+static void add_lamellas(layout *l, int family) {
   const lam_net *net = l->shop->net;
-  int n = 0, every = l->keys->every, number = 0;
-  for (int i = 0; i < net->polyline_count; i++) n += net->polylines[i].family == family;
-  for (int i = 0, k = 0; i < net->polyline_count; i++) {
+  const bool *selected = lam_lamella_select(l->shop->arena, net, family, l->keys->every, l->keys->boundary);
+  for (int i = 0, number = 0; i < net->polyline_count; i++) {
+    if (!selected[i]) continue;
     const lam_polyline *line = &net->polylines[i];
-    if (line->family != family) continue;
-    int rank = k++ - (n - 1) % every / 2;
-    if (rank < 0 || rank % every != 0 || (!l->keys->boundary && is_boundary_line(net, line))) continue;
     l->lamellas[l->lamella_count] =
         (lamella){.line = line, .number = ++number, .strip = l->lamella_count * l->sheets, .last = line->count - 1};
     l->lamella_count++;
@@ -292,7 +278,7 @@ bool lam_lamella_layout(lam_workshop *shop, const lam_lamella_keys *keys, lam_pl
                              .material = &lam_materials[keys->material]};
   l.lamellas = LAM_NEW(shop->arena, lamella, shop->net->polyline_count);
   for (int f = 0; f < 2; f++)
-    if (wants(keys, f)) select_lamellas(&l, f);
+    if (wants(keys, f)) add_lamellas(&l, f);
   fill_sites(&l);
   for (int i = 0; i < l.lamella_count; i++) trim(&l, &l.lamellas[i]);
   if (!fill_nodes(&l)) return false;

@@ -42,6 +42,10 @@ lam_slot_range lam_slot_sweep(double d, double e, double angle, double scissor);
 /* The extent of a station along its t: its slot, or nothing (0, 0) where there is none. */
 void lam_station_extent(const lam_lamella_grid *grid, const lam_station *station, double *low, double *high);
 
+/* Which polylines of a family carry lamellas, a flag per polyline of the net: every k-th (see lamella_select.c),
+ * without those along the boundary unless `boundary`. */
+bool *lam_lamella_select(lam_arena *arena, const lam_net *net, int family, int every, bool boundary);
+
 /* Fills grid with strips and nodes of workshop->net (with workshop->normals); parts are numbered from part on. False
  * when the keys do not fit the net: errors are added with place. Everything is allocated in the workshop's arena. */
 bool lam_lamella_layout(lam_workshop *workshop, const lam_lamella_keys *keys, lam_place place, int part,

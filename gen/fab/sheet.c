@@ -31,15 +31,20 @@ static double stagger(int group, int sheet) {
   return fractions[group % 2 ? 1 : 0][sheet % 2];
 }
 
+/* How much the kerf adds to the size of a strip; a corner that points askew moves further than one that lies square. */
+static double growth(const workbench *bench, const lam_flat *flat) {
+  return bench->options.kerf * (flat->axis_count > 2 ? sqrt(2) : 1);
+}
+
 /* How much the longest, and the highest, of the pieces from `first` on exceed the sheet; at most 0 when all fit. */
-static void find_excess(const workbench *bench, int first, double excess[2]) {
+static void find_excess(const workbench *bench, const lam_flat *flat, int first, double excess[2]) {
   excess[0] = excess[1] = -INFINITY;
   for (int i = first; i < bench->pieces.count; i++) {
     const lam_piece *piece = &bench->pieces.items[i];
     lam_vec2 min, max;
     lam_paths_bounds(piece->paths, piece->path_count, &min, &max);
-    excess[0] = fmax(excess[0], max.x - min.x + bench->options.kerf - bench->room[0]);
-    excess[1] = fmax(excess[1], max.y - min.y + bench->options.kerf - bench->room[1]);
+    excess[0] = fmax(excess[0], max.x - min.x + growth(bench, flat) - bench->room[0]);
+    excess[1] = fmax(excess[1], max.y - min.y + growth(bench, flat) - bench->room[1]);
   }
 }
 
@@ -56,7 +61,7 @@ static int cut_strip(workbench *bench, int index, const double *avoid, int avoid
     if (count < 0) return -1;
     bench->pieces.count = first;
     lam_splice_pieces(&bench->pieces, index, part, *cuts, count);
-    find_excess(bench, first, excess);
+    find_excess(bench, part->flat, first, excess);
     if (excess[0] <= 1e-9 && excess[1] <= 1e-9) return count;
     longest = excess[1] > 1e-9 ? 0.9 * longest : longest - excess[0] - 1e-6;
   }
@@ -89,9 +94,9 @@ static void split_part(workbench *bench, int index, group_cuts *earlier) {
 
 /* True for a strip that a sheet has no room for, but may have for its pieces. */
 static bool must_be_split(const workbench *bench, const lam_flat *flat) {
-  double width = flat->max.x - flat->min.x + bench->options.kerf,
-         height = flat->max.y - flat->min.y + bench->options.kerf;
-  return flat->axis_count >= 2 && flat->height + bench->options.kerf <= bench->room[1] + 1e-9 &&
+  double kerf = growth(bench, flat), width = flat->max.x - flat->min.x + kerf,
+         height = flat->max.y - flat->min.y + kerf;
+  return flat->axis_count >= 2 && flat->height + kerf <= bench->room[1] + 1e-9 &&
          (width > bench->room[0] + 1e-9 || height > bench->room[1] + 1e-9);
 }
 

@@ -42,6 +42,7 @@ lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start,
   common->method[0].ordering = CHOLMOD_GIVEN;
   common->postorder = 1;
   common->supernodal = CHOLMOD_AUTO;
+  common->final_ll = 1; /* LL': L D L' of small systems would accept an indefinite matrix */
   common->quick_return_if_not_posdef = 1;
   factor->A = (cholmod_sparse){.nrow = (size_t)n,
                                .ncol = (size_t)n,

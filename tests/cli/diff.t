@@ -73,7 +73,7 @@ facet normal 1 1 1 outer loop vertex 10 0 0 vertex 0 10 0 vertex 0 0 10 endloop 
 endsolid
 END
 printf 'v 0 0 0\nv .01 0 0\nv 0 .01 0\nv 0 0 .01\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >tetra.obj
-run diff --tolerance 0 tetra.stl tetra.obj
+run diff --tolerance 1e-9 tetra.stl tetra.obj
 ok "STL in millimetres and OBJ in metres are the same" says 0 '^the same$'
 run diff --json box.obj far.obj
 if command -v python3 >/dev/null; then

@@ -426,7 +426,7 @@ static const char desk_model[] = "lamella: 1\n"
                                  "  - {kind: lamella, height: 20 mm, thickness: 1 mm}\n";
 
 static bool parse_desk(run *r, const char *const *texts, lam_design *design) {
-  lam_override overrides[8];
+  lam_override overrides[8] = {{NULL}};
   int count = 0;
   for (; texts && texts[count]; count++) overrides[count].text = texts[count];
   return lam_design_parse(r->arena, desk_model, sizeof desk_model - 1, "desk.yaml", overrides, count, &r->errors,
