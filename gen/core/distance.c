@@ -1,5 +1,7 @@
 #include "core/solid.h"
 
+#include <stdlib.h>
+
 /* The largest distance from samples of one mesh to another. */
 typedef struct farthest {
   const lam_tree *other;
@@ -16,7 +18,7 @@ static void sample(farthest *f, lam_vec3 p) {
 }
 
 /* Rows of samples parallel to the longest edge, from it to the opposite corner; rows, and samples in a row, are at most
- * `spacing` apart. The corners are samples. */
+ * `spacing` apart. The corners are left out: every vertex is sampled once. */
 static void sample_triangle(farthest *f, const lam_vec3 corners[3], double spacing) {
   int k = 0;
   double length = 0;
@@ -32,17 +34,22 @@ static void sample_triangle(farthest *f, const lam_vec3 corners[3], double spaci
   double rows = fmax(1, ceil(height / spacing));
   for (double r = 0; r < rows && !f->failed; r++) {
     lam_vec3 p = lam_mix(a, c, r / rows), q = lam_mix(b, c, r / rows);
-    double steps = fmax(1, ceil(length * (1 - r / rows) / spacing));
-    for (double s = 0; s <= steps && !f->failed; s++) sample(f, lam_mix(p, q, s / steps));
+    double steps = fmax(1, ceil(length * (1 - r / rows) / spacing)), inset = r == 0;
+    for (double s = inset; s <= steps - inset && !f->failed; s++) sample(f, lam_mix(p, q, s / steps));
   }
-  sample(f, c);
 }
 
-static double one_way(const lam_trimesh *from, const lam_tree *to, double spacing, bool *failed) {
+/* sampled: per vertex of `from`, all false. */
+static double one_way(const lam_trimesh *from, const lam_tree *to, double spacing, bool *sampled, bool *failed) {
   farthest f = {.other = to};
   for (int i = 0; i < from->triangle_count && !f.failed; i++) {
     lam_vec3 corners[3];
-    for (int k = 0; k < 3; k++) corners[k] = from->vertices[from->triangles[i][k]];
+    for (int k = 0; k < 3; k++) {
+      int v = from->triangles[i][k];
+      corners[k] = from->vertices[v];
+      if (!sampled[v]) sample(&f, corners[k]);
+      sampled[v] = true;
+    }
     sample_triangle(&f, corners, spacing);
   }
   *failed = *failed || f.failed;
@@ -55,12 +62,16 @@ lam_status lam_solid_hausdorff(const lam_trimesh *a, const lam_trimesh *b, doubl
   if (!(spacing > 0)) return LAM_BAD_INPUT;
   bool failed = false;
   lam_tree *tree_a = lam_tree_new(a), *tree_b = tree_a ? lam_tree_new(b) : NULL;
-  if (tree_b) {
-    *a_to_b = one_way(a, tree_b, spacing, &failed);
-    *b_to_a = one_way(b, tree_a, spacing, &failed);
+  bool *sampled_a = calloc((size_t)a->vertex_count + 1, sizeof(bool));
+  bool *sampled_b = calloc((size_t)b->vertex_count + 1, sizeof(bool));
+  if (tree_b && sampled_a && sampled_b) {
+    *a_to_b = one_way(a, tree_b, spacing, sampled_a, &failed);
+    *b_to_a = one_way(b, tree_a, spacing, sampled_b, &failed);
   }
-  failed = failed || !tree_b;
+  lam_status status = !sampled_a || !sampled_b ? LAM_NO_MEMORY : failed || !tree_b ? LAM_FAILED : LAM_OK;
+  free(sampled_a);
+  free(sampled_b);
   lam_tree_free(tree_a);
   lam_tree_free(tree_b);
-  return failed ? LAM_FAILED : LAM_OK;
+  return status;
 }

@@ -6,6 +6,9 @@
 #include "core/solid_exact.h"
 #include "core/topology.h"
 
+/* GCC 12 suspects the empty triangles and rays that CGAL's kernel converters return, depending on the options. */
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

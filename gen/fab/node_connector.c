@@ -22,7 +22,7 @@ static const char *const bolt_names[] = {"M6", "M8", "M10", "M12", NULL};
 
 static const double mm = 1e-3;
 static const double seat = 0.05e-3; /* between washer and head or nut: parts must not touch */
-enum { corners = 48 };              /* of a circle; a multiple of 12 */
+enum { corners = 24 };              /* of a circle; a multiple of 12 */
 
 /* ---- solids of rings ---- */
 

@@ -7,8 +7,9 @@
 
 static const double degrees = 180 / 3.14159265358979323846;
 
+/* A value that is not a number stays the largest. */
 static void note(lam_measure *out, double value) {
-  if (!(value <= out->max) || out->count == 0) out->max = value;
+  if (out->count == 0 || (!(value <= out->max) && !isnan(out->max))) out->max = value;
   out->mean += value;
   out->count++;
 }
@@ -44,16 +45,31 @@ static void eigen(double a[3][3], double value[3], double vector[3][3]) {
   for (int i = 0; i < 3; i++) value[i] = a[i][i];
 }
 
-/* The plane of best fit: its unit normal and the standard deviations across and along it (ascending). */
-static lam_vec3 fit_plane(const lam_vec3 *points, int count, lam_vec3 *center, double spread[3]) {
+/* Whether a vertex is the center of a star or a neighbor of one. */
+static bool in_a_star(const lam_net *net, int v) {
+  bool is = !net->boundary[v];
+  for (int i = net->ring_start[v]; i < net->ring_start[v + 1]; i++) is |= !net->boundary[net->ring[i]];
+  return is;
+}
+
+/* The plane of best fit: its unit normal and the standard deviations across and along it (ascending). With a net, points are its
+ * vertices, and only those of stars count. */
+static lam_vec3 fit_plane(const lam_vec3 *points, int count, const lam_net *net, lam_vec3 *center, double spread[3]) {
   lam_vec3 c = {0, 0, 0};
-  for (int i = 0; i < count; i++) c = lam_along(c, 1.0 / count, points[i]);
+  int used = 0;
+  for (int i = 0; i < count; i++)
+    if (!net || in_a_star(net, i)) {
+      c = lam_add(c, points[i]);
+      used++;
+    }
+  c = lam_scale(c, 1.0 / used);
   double a[3][3] = {{0}}, value[3], vector[3][3];
   for (int i = 0; i < count; i++) {
+    if (net && !in_a_star(net, i)) continue;
     lam_vec3 d = lam_sub(points[i], c);
     double x[3] = {d.x, d.y, d.z};
     for (int k = 0; k < 3; k++)
-      for (int l = 0; l < 3; l++) a[k][l] += x[k] * x[l] / count;
+      for (int l = 0; l < 3; l++) a[k][l] += x[k] * x[l] / used;
   }
   eigen(a, value, vector);
   int order[3] = {0, 1, 2};
@@ -84,7 +100,7 @@ static void star_planarity(const lam_measuring *in, lam_measure *out) {
       points[k + 1] = in->positions[net->ring[net->ring_start[v] + k]];
       edge += lam_distance(points[0], points[k + 1]) / valence;
     }
-    lam_vec3 normal = fit_plane(points, valence + 1, &center, spread);
+    lam_vec3 normal = fit_plane(points, valence + 1, NULL, &center, spread);
     for (int k = 0; k <= valence; k++) worst = fmax(worst, fabs(lam_dot(normal, lam_sub(points[k], center))));
     note(out, worst / edge);
   }
@@ -164,11 +180,13 @@ static void foldovers(const lam_measuring *in, lam_measure *out) {
   *out = (lam_measure){out->name, out->unit, (double)folded, (double)folded, in->net->edge_count};
 }
 
-/* Thickness of the whole net over its length: standard deviation across and along the plane of best fit. */
+/* Thickness of the net over its length: standard deviation across and along the plane of best fit. Corners of an open net, which
+ * belong to no star, do not count when a net has stars: constraints on stars leave them where they were. */
 static void flatness(const lam_measuring *in, lam_measure *out) {
   lam_vec3 center;
   double spread[3];
-  fit_plane(in->positions, in->net->mesh.vertex_count, &center, spread);
+  bool has_stars = in->net->star_count + in->net->irregular_count > 0;
+  fit_plane(in->positions, in->net->mesh.vertex_count, has_stars ? in->net : NULL, &center, spread);
   note(out, spread[2] > 0 ? spread[0] / spread[2] : 0);
 }
 
@@ -181,7 +199,7 @@ const lam_measure_kind lam_measures[] = {
     {"edge_length", "m", "length of the edges", edge_length},
     {"shortest_edge", "", "shortest edge over the mean edge", shortest_edge},
     {"foldovers", "", "edges whose two faces turn by more than 120 degrees", foldovers},
-    {"flatness", "", "spread of the vertices across their common plane over the spread along it", flatness},
+    {"flatness", "", "spread of the vertices of all stars across their common plane over the spread along it", flatness},
 };
 const int lam_measure_count = sizeof lam_measures / sizeof *lam_measures;
 

@@ -146,10 +146,10 @@ static double random_unit(uint64_t *state) {
 void lam_mesh_perturb(lam_mesh *mesh, double noise, int seed) {
   uint64_t state = (uint64_t)seed;
   for (int v = 0; v < mesh->vertex_count; v++) {
-    lam_vec3 d;
+    double d[3]; /* one after the other: the order in which arguments are evaluated is not defined */
     do {
-      d = lam_v3(2 * random_unit(&state) - 1, 2 * random_unit(&state) - 1, 2 * random_unit(&state) - 1);
-    } while (lam_dot(d, d) > 1);
-    mesh->vertices[v] = lam_along(mesh->vertices[v], noise, d);
+      for (int c = 0; c < 3; c++) d[c] = 2 * random_unit(&state) - 1;
+    } while (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > 1);
+    mesh->vertices[v] = lam_along(mesh->vertices[v], noise, lam_v3(d[0], d[1], d[2]));
   }
 }

@@ -374,6 +374,29 @@ static void hausdorff_distances(void **state) {
   assert_int_equal(lam_solid_hausdorff(&a, &slab, 0, &ab, &ba), LAM_BAD_INPUT);
 }
 
+/* Every allocation from an arena fails once: the status says so, and nothing is lost or jumps through C++. */
+static void running_out_of_memory_is_a_status(void **state) {
+  lam_trimesh a = mesh_cube(*state, 0, 0, 0, 2), b = mesh_cube(*state, 1, 1, 1, 2);
+  int failures = 0;
+  for (long n = 0; n < 20; n++) {
+    lam_solid_facts facts;
+    double volume;
+    lam_alloc_fail_after(n);
+    lam_status measured_status = lam_solid_measure(&a, true, &facts);
+    lam_alloc_fail_after(n);
+    lam_status volume_status = lam_prism_volume(&a, &b, &volume);
+    lam_solid_set *set = lam_solid_set_new();
+    lam_alloc_fail_after(n);
+    int index = lam_solid_set_add(set, &a, NULL);
+    lam_alloc_fail_after(-1);
+    lam_solid_set_free(set);
+    assert_true(measured_status == LAM_OK || measured_status == LAM_NO_MEMORY);
+    assert_true(volume_status == LAM_OK || volume_status == LAM_NO_MEMORY);
+    failures += (measured_status != LAM_OK) + (volume_status != LAM_OK) + (index < 0);
+  }
+  assert_true(failures >= 6); /* at least the arena itself and its first block, in each */
+}
+
 /* ---- welding ---- */
 
 static void welding_merges_equal_points(void **state) {
@@ -426,6 +449,7 @@ int main(void) {
       TEST(candidates_are_the_pairs_with_common_boxes),
       TEST(many_solids_are_checked_quickly),
       TEST(hausdorff_distances),
+      TEST(running_out_of_memory_is_a_status),
       TEST(welding_merges_equal_points),
       TEST(quads_are_cut_along_the_shorter_diagonal),
   };
