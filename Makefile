@@ -20,7 +20,8 @@ warn     := -Wall -Wextra -Werror -Wshadow
 includes := -Igen -I. -isystem /usr/include/suitesparse
 # no contraction of a*b+c: the same result on every processor
 CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -ffp-contract=off $(opt) $(warn) $(includes) -DLAM_VERSION='"$(VERSION)"' -MMD -MP $(CFLAGS)
-CXXFLAGS_ = -std=c++17 -fPIC -O2 -g $(warn) $(includes) -MMD -MP $(CXXFLAGS)
+# CGAL's exact predicates switch the rounding mode
+CXXFLAGS_ = -std=c++17 -fPIC -O2 -frounding-math $(warn) $(includes) -MMD -MP $(CXXFLAGS)
 libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lstdc++ -lm
 
 # Debian packages: to build; for pictures and OpenSCAD; for the tests

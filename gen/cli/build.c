@@ -1,6 +1,7 @@
 /* lamella build DESIGN: from a design file to a folder of files. */
 #include "cli/complain.h"
-#include "cli/input.h"
+#include "core/file.h"
+#include "design/tree.h"
 #include "cli/mesh_files.h"
 #include "cli/output.h"
 #include "cli/references.h"
@@ -149,7 +150,7 @@ static int build(lam_arena *arena, int argc, char **argv) {
   size_t count = 0;
   lam_design *design = LAM_NEW(arena, lam_design, 1);
   if (given.only) lam_output_check(given.only, &errors);
-  if (!lam_input_read(arena, given.path, (lam_place){0}, NULL, &errors, &bytes, &count)) return lam_complain(&errors);
+  if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK) return lam_complain(&errors);
   lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, design);
   if (errors.count == 0) lam_references_check(design, &errors);
   if (errors.count) return lam_complain(&errors);

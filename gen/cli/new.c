@@ -1,6 +1,7 @@
 /* lamella new DESIGN [-o FILE]: copies a shipped design to start from. */
 #include "cli/complain.h"
-#include "cli/input.h"
+#include "core/file.h"
+#include "design/tree.h"
 #include "cli/run.h"
 #include "cli/templates.h"
 #include "cli/verbs.h"
@@ -52,7 +53,7 @@ static int copy_design(lam_arena *arena, const char *name, const char *target) {
   char *bytes = NULL;
   size_t count = 0;
   const char *path = lam_template_design_path(arena, name);
-  if (!lam_input_read(arena, path, (lam_place){0}, NULL, &errors, &bytes, &count)) {
+  if (lam_file_read(arena, path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK) {
     lam_complain(&errors);
     return 1;
   }

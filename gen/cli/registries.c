@@ -1,9 +1,10 @@
 #include "cli/registries.h"
-#include "cli/input.h"
+#include "core/file.h"
 #include "cli/templates.h"
 #include "con/constraint.h"
 #include "core/material.h"
 #include "design/design.h"
+#include "design/tree.h"
 #include "fab/workshop.h"
 #include "formats/format.h"
 #include "net/kind.h"
@@ -55,7 +56,7 @@ static lam_listed describe_design(lam_arena *arena, const char *name) {
   size_t length = 0;
   const char *path = lam_template_design_path(arena, name);
   lam_listed listed = {.name = name, .title = "not valid: see lamella check", .file = path};
-  if (!lam_input_read(arena, path, (lam_place){0}, NULL, &errors, &bytes, &length)) return listed;
+  if (lam_file_read(arena, path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &length) != LAM_OK) return listed;
   if (!lam_design_parse(arena, bytes, length, path, NULL, 0, &errors, &design)) return listed;
   listed.title = design.title;
   listed.source = design.source[0] ? design.source : NULL;

@@ -1,12 +1,13 @@
 /* lamella show NAME: the reference page of anything that is listed. */
 #include "cli/complain.h"
-#include "cli/input.h"
+#include "core/file.h"
 #include "cli/page.h"
 #include "cli/registries.h"
 #include "cli/run.h"
 #include "cli/verbs.h"
 #include "cli/wrap.h"
 #include "design/design.h"
+#include "design/tree.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -19,7 +20,7 @@ static void add_file(lam_text *text, const char *path) {
   lam_errors errors = {.arena = text->arena};
   char *bytes = NULL;
   size_t count = 0;
-  if (!lam_input_read(text->arena, path, (lam_place){0}, NULL, &errors, &bytes, &count)) return;
+  if (lam_file_read(text->arena, path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK) return;
   lam_text_add(text, "\n");
   lam_text_bytes(text, bytes, count);
 }

@@ -27,30 +27,24 @@ static void tangent_angle(int n, const double *x, const double *p, double *r, do
   }
 }
 
-static void add_angle(lam_scope *scope, const char *name, double cosine, double weight) {
-  const int *nodes;
-  int count = lam_scope_stars(scope, &nodes);
-  double *params = LAM_NEW(scope->problem->arena, double, count);
-  for (int i = 0; i < count; i++) params[i] = cosine;
-  lam_problem_add(scope->problem, (lam_block){.name = name,
-                                              .kernel = tangent_angle,
-                                              .rows = 1,
-                                              .weight = weight,
-                                              .count = count,
-                                              .arity = 5,
-                                              .nodes = nodes,
-                                              .param_count = 1,
-                                              .params = params});
+static void add_angle(lam_scope *scope, const char *name, double cosine, bool border, double weight) {
+  lam_block block = {.name = name, .kernel = tangent_angle, .rows = 1, .weight = weight, .arity = 5, .param_count = 1};
+  block.count = lam_scope_stars(scope, border, &block.nodes);
+  block.params = LAM_NEW(scope->problem->arena, double, block.count);
+  for (int i = 0; i < block.count; i++) block.params[i] = cosine;
+  lam_problem_add(scope->problem, block);
 }
 
 static void add_given(lam_scope *scope, const void *params, double weight, lam_place place) {
   (void)place;
-  add_angle(scope, "angle", cos(((const lam_angle_params *)params)->angle), weight);
+  const lam_angle_params *given = params;
+  add_angle(scope, "angle", cos(given->angle), given->border, weight);
 }
 
 static void add_orthogonal(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)params, (void)place;
-  add_angle(scope, "orthogonal", 0, weight);
+  (void)place;
+  const lam_star_params *given = params;
+  add_angle(scope, "orthogonal", 0, given && given->border, weight);
 }
 
 static const lam_key angle_keys[] = {{.name = "angle",
@@ -62,6 +56,12 @@ static const lam_key angle_keys[] = {{.name = "angle",
                                       .min = 5 * (3.14159265358979323846 / 180),
                                       .max = 175 * (3.14159265358979323846 / 180),
                                       .doc = "Angle between the two families at every regular vertex."},
+                                     {.name = "border",
+                                      .type = LAM_KEY_FLAG,
+                                      .offset = offsetof(lam_angle_params, border),
+                                      .count = 1,
+                                      .initial = "no",
+                                      .doc = "Reentrant corners of the border, which have four edges, take part."},
                                      {0}};
 
 const lam_constraint_kind lam_con_angle = {
@@ -74,5 +74,5 @@ const lam_constraint_kind lam_con_angle = {
 const lam_constraint_kind lam_con_orthogonal = {
     {"orthogonal", "Right angles",
      "The two families of polylines cross at 90 degrees everywhere. On an asymptotic net the surface is then a minimal surface.",
-     "unit(e1 - e3) . unit(e2 - e4) = 0", "thesis 3.1, corrected", NULL, 0},
+     "unit(e1 - e3) . unit(e2 - e4) = 0", "thesis 3.1, corrected", lam_star_keys, sizeof(lam_star_params)},
     add_orthogonal};

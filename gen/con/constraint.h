@@ -34,9 +34,14 @@ extern const lam_constraint_kind lam_con_planar_star, lam_con_planar_face, lam_c
     lam_con_fairness, lam_con_closeness, lam_con_handle, lam_con_proximity, lam_con_edge_length,
     lam_con_boundary_length, lam_con_glide;
 
+typedef struct lam_star_params {
+  bool border;
+} lam_star_params;
 typedef struct lam_angle_params {
   double angle;
+  bool border;
 } lam_angle_params;
+extern const lam_key lam_star_keys[]; /* of lam_star_params */
 typedef struct lam_edge_length_params {
   double length; /* metres; 0: every edge keeps its length at the start */
   bool boundary_only;
@@ -51,8 +56,11 @@ typedef struct lam_handle_params {
   double to[3];    /* metres */
 } lam_handle_params;
 
-/* Elements of all regular stars: nodes center, +u, +v, -u, -v (5 each). Counts irregular vertices in scope->skipped. */
-int lam_scope_stars(lam_scope *scope, const int **nodes);
+/* Elements of all regular stars: nodes center, +u, +v, -u, -v (5 each). With border, reentrant corners of the boundary (four
+ * edges) belong to them. Counts irregular vertices in scope->skipped. */
+int lam_scope_stars(lam_scope *scope, bool border, const int **nodes);
+/* Border vertices with one inner edge: nodes center, then border, inner, border counterclockwise (4 each). */
+int lam_scope_half_stars(lam_scope *scope, const int **nodes);
 /* A closeness block of chosen vertices to chosen targets (solver units). */
 void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double weight, int count, const int *vertices,
                        const lam_vec3 *targets);

@@ -68,6 +68,43 @@ static void planar_fan(int n, const double *x, const double *p, double *r, doubl
   }
 }
 
+/* Border vertex with its two border edges e1, e3 and its inner edge e2: r = N . e1, N = unit((e1 - e3) x e2). */
+static void planar_half_star(int n, const double *x, const double *p, double *r, double *J) {
+  (void)p;
+  lam_vec3 v = lam_local(x, 0), e[3];
+  double length[3];
+  for (int k = 0; k < 3; k++) {
+    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
+    length[k] = lam_length(E);
+    e[k] = lam_scale(E, 1 / length[k]);
+  }
+  lam_vec3 a = lam_sub(e[0], e[2]), M = lam_cross(a, e[1]);
+  double size = lam_length(M);
+  lam_vec3 N = lam_scale(M, 1 / size);
+  r[0] = lam_dot(N, e[0]);
+  if (!J) return;
+  for (int c = 0; c < n; c++) J[c] = 0;
+  lam_vec3 g = lam_scale(lam_along(e[0], -r[0], N), 1 / size), da = lam_cross(e[1], g);
+  lam_vec3 de[3] = {lam_add(da, N), lam_cross(g, a), lam_scale(da, -1)};
+  for (int k = 0; k < 3; k++) {
+    lam_vec3 dE = lam_unit_pullback(e[k], length[k], de[k]);
+    lam_add_to(J, k + 1, dE);
+    lam_add_to(J, 0, lam_scale(dE, -1));
+  }
+}
+
+static void add_half_stars(lam_scope *scope, double weight) {
+  const int *nodes;
+  int count = lam_scope_half_stars(scope, &nodes);
+  lam_problem_add(scope->problem, (lam_block){.name = "planar-star",
+                                              .kernel = planar_half_star,
+                                              .rows = 1,
+                                              .weight = weight,
+                                              .count = count,
+                                              .arity = 4,
+                                              .nodes = nodes});
+}
+
 static void add_fans(lam_scope *scope, double weight) {
   const lam_net *net = scope->net;
   for (int valence = 3; valence <= most_valence; valence++) {
@@ -95,10 +132,11 @@ static void add_fans(lam_scope *scope, double weight) {
 }
 
 static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)params, (void)place;
+  (void)place;
+  const lam_star_params *given = params;
   const int *nodes;
   long skipped = scope->skipped;
-  int count = lam_scope_stars(scope, &nodes);
+  int count = lam_scope_stars(scope, given && given->border, &nodes);
   scope->skipped = skipped; /* irregular stars are handled below */
   lam_problem_add(scope->problem, (lam_block){.name = "planar-star",
                                               .kernel = planar_star,
@@ -108,6 +146,7 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
                                               .arity = 5,
                                               .nodes = nodes});
   add_fans(scope, weight);
+  if (given && given->border) add_half_stars(scope, weight);
 }
 
 const lam_constraint_kind lam_con_planar_star = {
@@ -115,5 +154,5 @@ const lam_constraint_kind lam_con_planar_star = {
      "Every interior vertex lies in one plane with its neighbors: the polylines then follow asymptotic curves, and strips "
      "normal to the net unroll straight. Possible only where the surface is saddle-shaped (K < 0); on a dome the only "
      "solution is a plane. Vertices of any valence take part.",
-     "N.e1 = N.e2 = 0, N = unit((e1 - e3) x (e2 - e4))", "thesis 3.3", NULL, 0},
+     "N.e1 = N.e2 = 0, N = unit((e1 - e3) x (e2 - e4))", "thesis 3.3", lam_star_keys, sizeof(lam_star_params)},
     add};

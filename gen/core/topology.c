@@ -65,8 +65,8 @@ static void join_wedges(joiner *j, half_edge *edges, int count) {
   const lam_vec3 *p = j->mesh->vertices;
   int tail = vertex_of(j->mesh, edges[0].forward ? edges[0].corner : next_corner(edges[0].corner));
   lam_vec3 d = lam_unit(lam_sub(p[edges[0].high], p[tail]));
-  lam_vec3 helper = fabs(d.x) < 0.6 ? lam_v3(1, 0, 0) : lam_v3(0, 1, 0);
-  lam_vec3 e1 = lam_unit(lam_cross(d, helper)), e2 = lam_cross(d, e1);
+  lam_vec3 slanted = fabs(d.x) < 0.6 ? lam_v3(1, 0, 0) : lam_v3(0, 1, 0);
+  lam_vec3 e1 = lam_unit(lam_cross(d, slanted)), e2 = lam_cross(d, e1);
   for (int i = 0; i < count; i++) {
     lam_vec3 w = lam_sub(p[vertex_of(j->mesh, next_corner(next_corner(edges[i].corner)))], p[tail]);
     edges[i].angle = atan2(lam_dot(w, e2), lam_dot(w, e1));

@@ -1,6 +1,5 @@
 #include "design/build.h"
 #include "core/mesh.h"
-#include "fab/flat.h"
 #include "fab/lamella_checks.h"
 #include "fab/sheet.h"
 #include "fab/workshop.h"
@@ -169,10 +168,7 @@ static bool make_parts(pipeline *p, lam_workshop *workshop) {
     kind->make(workshop, row->params, row->place);
     if (p->errors->count > before) return false;
   }
-  if (parts->count) {
-    lam_lamella_flats(workshop);
-    lam_workshop_clash(workshop);
-  }
+  if (parts->count) lam_workshop_clash(workshop);
   return p->errors->count == before;
 }
 

@@ -26,7 +26,6 @@ typedef struct site {
 
 typedef struct layout {
   lam_workshop *shop;
-  const lam_vec3 *normals;
   const lam_lamella_keys *keys;
   lam_place place;
   lam_lamella_grid *grid;
@@ -38,7 +37,7 @@ typedef struct layout {
 
 static lam_vec3 at(const layout *l, int v) { return l->shop->net->mesh.vertices[v]; }
 
-/* ---- which polylines carry lamellas ---- */
+/* ---- lamellas and where they meet ---- */
 
 static void add_lamellas(layout *l, int family) {
   const lam_net *net = l->shop->net;
@@ -98,7 +97,7 @@ static void trim(layout *l, lamella *a) {
 
 static lam_patch site_patch(const layout *l, int v, int family) {
   const site *s = &l->sites[v];
-  return lam_patch_make(l->shop->net, l->normals, v, s->line, s->place, family);
+  return lam_patch_make(l->shop->net, l->shop->normals, v, s->line, s->place, family);
 }
 
 static double offset_of(const layout *l, int sheet) {
@@ -135,7 +134,7 @@ static void push_vertex(layout *l, lam_sheet_strip *strip, int v) {
 static lam_station edge_station(const layout *l, int from, int to, double distance, double own) {
   double length = lam_distance(at(l, from), at(l, to));
   lam_station q = {.partner = -1, .crossing = -1};
-  q.m = lam_unit(lam_mix(l->normals[from], l->normals[to], distance / length));
+  q.m = lam_unit(lam_mix(l->shop->normals[from], l->shop->normals[to], distance / length));
   lam_vec3 edge = lam_scale(lam_sub(at(l, to), at(l, from)), 1 / length);
   q.t = lam_unit(lam_along(edge, -lam_dot(edge, q.m), q.m));
   q.x = lam_along(lam_along(at(l, from), distance, edge), own, lam_cross(q.m, q.t));
@@ -270,11 +269,7 @@ static bool wants(const lam_lamella_keys *keys, int family) {
 
 bool lam_lamella_layout(lam_workshop *shop, const lam_lamella_keys *keys, lam_place place, int part,
                         lam_lamella_grid *grid) {
-  layout l = {shop, lam_lamella_normals(shop->arena, shop->net, shop->normals),
-              keys, place,
-              grid, keys->pair > 0 ? 2 : 1,
-              0,    NULL,
-              NULL};
+  layout l = {shop, keys, place, grid, keys->pair > 0 ? 2 : 1, 0, NULL, NULL};
   int before = shop->errors->count;
   *grid = (lam_lamella_grid){.height = keys->height,
                              .thickness = keys->thickness,

@@ -46,9 +46,6 @@ void lam_station_extent(const lam_lamella_grid *grid, const lam_station *station
  * without those along the boundary unless `boundary`. */
 bool *lam_lamella_select(lam_arena *arena, const lam_net *net, int family, int every, bool boundary);
 
-/* The normals with better ones at the boundary (see lamella_normals.c): vertex_count, in the arena. */
-lam_vec3 *lam_lamella_normals(lam_arena *arena, const lam_net *net, const lam_vec3 *normals);
-
 /* Fills grid with strips and nodes of workshop->net (with workshop->normals); parts are numbered from part on. False
  * when the keys do not fit the net: errors are added with place. Everything is allocated in the workshop's arena. */
 bool lam_lamella_layout(lam_workshop *workshop, const lam_lamella_keys *keys, lam_place place, int part,

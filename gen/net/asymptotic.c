@@ -6,18 +6,20 @@ typedef struct params {
   bool orthogonal;
   double angle;
   bool angle_given;
+  bool border;
 } params;
 
 static const double right_angle = 3.14159265358979323846 / 2;
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
-  lam_con_planar_star.add(scope, NULL, 1, place);
+  lam_star_params star = {p->border};
+  lam_con_planar_star.add(scope, &star, 1, place);
   if (p->orthogonal && p->angle_given && fabs(p->angle - right_angle) > 1e-12)
     lam_error_add(scope->errors, place, "net.angle", "%g deg together with orthogonal: yes; expected one of the two",
                   p->angle * 90 / right_angle);
-  if (p->orthogonal) lam_con_orthogonal.add(scope, NULL, 1, place);
-  else if (p->angle_given) lam_con_angle.add(scope, &(lam_angle_params){p->angle}, 1, place);
+  if (p->orthogonal) lam_con_orthogonal.add(scope, &star, 1, place);
+  else if (p->angle_given) lam_con_angle.add(scope, &(lam_angle_params){p->angle, p->border}, 1, place);
 }
 
 static double target_angle(const void *given) {
@@ -32,6 +34,8 @@ static const lam_key keys[] = {
      .initial = "90 deg", .min = 5 * 3.14159265358979323846 / 180, .max = 175 * 3.14159265358979323846 / 180,
      .given_offset = offsetof(params, angle_given),
      .doc = "The same crossing angle at every vertex: a constant ratio of the principal curvatures."},
+    {.name = "border", .type = LAM_KEY_FLAG, .offset = offsetof(params, border), .count = 1, .initial = "yes",
+     .doc = "Vertices of the border take part: their edges are coplanar, and reentrant corners, which have four edges, keep the angle."},
     {0}};
 
 static const char *const measures[] = {"star_planarity", "angle_deviation", "crossing_angle", "edge_length",

@@ -152,7 +152,7 @@ static void shortest_edge(const lam_measuring *in, lam_measure *out) {
   note(out, in->mean_edge > 0 ? least / in->mean_edge : 0);
 }
 
-/* Deviation of opposite edges of a star from one straight tangent, within the net: half the turning angle. */
+/* Angle between the edge that arrives at a star and the one that leaves it, along both families. */
 static void turning_angle(const lam_measuring *in, lam_measure *out) {
   for (int s = 0; s < in->net->star_count; s++) {
     const lam_star *star = &in->net->stars[s];
@@ -247,10 +247,11 @@ const char *lam_net_degenerate(const lam_net *net, const lam_vec3 *before, const
   lam_measure flat[2] = {lam_net_measure_one(net, before, "flatness"), lam_net_measure_one(net, after, "flatness")};
   lam_measure fold[2] = {lam_net_measure_one(net, before, "foldovers"), lam_net_measure_one(net, after, "foldovers")};
   double size[2] = {extent(net, before), extent(net, after)};
+  if (!isfinite(lam_net_mean_edge(net, after))) return "not a number: vertices have no place any more";
   if (!(size[1] > .05 * size[0])) return "shrunk: the net is less than a twentieth of its size at the start";
   if (!(size[1] < 20 * size[0])) return "flown apart: the net is more than twenty times its size at the start";
   if (!(edge[1].max > .02) && edge[1].max < .2 * edge[0].max) return "collapsed: edges have shrunk to nothing";
-  if (flat[1].max < .05 * flat[0].max) return "flattened: the net is a plane";
+  if (flat[0].max > 1e-6 && flat[1].max < .05 * flat[0].max) return "flattened: the net is a plane";
   if (fold[1].max > fold[0].max) return "folded: faces have turned over";
   return NULL;
 }

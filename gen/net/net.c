@@ -170,9 +170,13 @@ static void color_families(builder *b) {
 static int line_continues(const lam_net *net, int from, int at) {
   const int *ring = net->ring + net->ring_start[at];
   int valence = net->ring_start[at + 1] - net->ring_start[at];
-  if (net->boundary[at]) {
-    if (valence != 3) return -1;
-    return ring[0] == from ? ring[2] : ring[2] == from ? ring[0] : -1;
+  if (net->boundary[at]) { /* along a straight border, or through a reentrant corner with its three faces */
+    if (valence != 3 && valence != 4) return -1;
+    for (int k = 0; k + 2 < valence; k++) {
+      if (ring[k] == from) return ring[k + 2];
+      if (ring[k + 2] == from) return ring[k];
+    }
+    return -1;
   }
   if (valence != 4) return -1;
   for (int k = 0; k < 4; k++)

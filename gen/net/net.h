@@ -31,7 +31,7 @@ typedef struct lam_net {
    * ring[ring_start[v] .. ring_start[v+1]-1]; on the boundary from the first boundary edge to the last. */
   int *ring_start, *ring;
   /* Polylines through regular vertices (opposite edges of a star continue each other), ends at the boundary or at irregular
-   * vertices. Boundary lines belong to them too where they follow a family. */
+   * vertices; through a reentrant corner of the boundary lines run on. Boundary lines belong to them too where they follow a family. */
   int polyline_count;
   lam_polyline *polylines;
   int loop_count;

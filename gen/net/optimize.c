@@ -62,24 +62,35 @@ static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *star
 }
 
 /* Fairness and what fades with it. */
-static void add_guide(const attempt *a, lam_problem *problem, lam_scope *scope) {
+static void add_guide(const attempt *a, lam_scope *scope) {
   const lam_solver_keys *keys = &a->job->common->solver;
   lam_guide guide = a->job->kind->guide;
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
   if (keys->stiffness_given) guide.stiffness = keys->stiffness;
   lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->place);
-  if (keys->smooth) lam_guided_smooth(problem, .3);
   if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->place);
   if (guide.stiffness > 0)
     lam_edge_length_add(scope, "stiffness", LAM_FAIRNESS, guide.stiffness, (lam_edge_length_params){0});
 }
 
-/* One solve from net's positions (in solver units: positions), with handles moved by the given share of their way. */
+/* Where the solver begins when the start is noisy: near the start, with fair polylines. A held boundary stays. */
+static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions) {
+  lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, start);
+  lam_scope scope = {.problem = problem, .net = a->net, .unit = a->unit, .errors = a->errors};
+  for (int v = 0; v < problem->vertex_count; v++)
+    problem->fixed[v] = a->net->boundary[v] && a->job->common->boundary != LAM_BOUNDARY_FREE;
+  lam_con_fairness.add(&scope, &(lam_fairness_params){LAM_FAIR_POSITION}, 1, a->job->place);
+  lam_guided_smooth(problem, .3);
+  lam_problem_positions(problem, positions);
+}
+
+/* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint keeps (a length,
+ * the boundary curve) is that of the start; what guides is the place where this solve begins. */
 static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start, double share, long *skipped) {
   const lam_net_job *job = a->job;
   const lam_net_common *common = job->common;
-  lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, positions);
+  lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, start);
   lam_scope scope = {problem, a->net, a->unit, a->tree, &a->reference, a->errors, 0};
   job->kind->constrain(&scope, job->params, job->place);
   for (int i = 0; i < common->constraints.count; i++) {
@@ -87,6 +98,7 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
     ((const lam_constraint_kind *)row->head)->add(&scope, row->params, 1, row->place);
   }
   fix_boundary(a, problem, &scope);
+  memcpy(problem->x, positions, sizeof *positions * (size_t)problem->vertex_count);
   add_handles(a, &scope, start, share);
   if (job->reference) lam_con_proximity.add(&scope, NULL, common->reference.weight, job->place);
   lam_schedule schedule = job->kind->schedule;
@@ -95,7 +107,7 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   schedule.max_iterations = common->solver.iterations;
   lam_solution none = {.reason = "not solved"};
   if (a->errors->count) return none;
-  if (schedule.fairness > 0 || common->solver.smooth) add_guide(a, problem, &scope);
+  if (schedule.fairness > 0) add_guide(a, &scope);
   lam_solution solution = lam_guided_solve(problem, &schedule, job->progress);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
@@ -122,6 +134,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   if (errors->count > before) return false;
   lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
+  if (job->common->solver.smooth) smooth(&a, start, x);
   int iterations = 0;
   for (int step = 1; step <= steps; step++) {
     result->solution = solve(&a, x, start, (double)step / steps, &result->skipped);

@@ -102,14 +102,26 @@ static bool has_stalled(const lam_solution *s) {
   return s->history[s->history_count - 1] > .5 * s->history[s->history_count - 1 - stall_window];
 }
 
+static bool has_wishes(const lam_problem *problem) {
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_SOFT) return true;
+  return false;
+}
+
+/* Soft blocks compete with hard ones, so both together end in a compromise. They take part until the fairness is gone and a step gains
+ * less than this share of the energy, or none is left; then they are dropped, and the rest of the steps satisfies the hard blocks from there. */
+static const double settled = .01;
+
 static void iterate(run *r, const lam_progress *progress) {
   lam_solution *s = r->solution;
   const lam_schedule *schedule = r->schedule;
   lam_residual after;
-  int calm = 0; /* iterations since the fairness ended */
+  bool wishes = has_wishes(r->problem);
+  int calm = 0; /* iterations since the fairness and the soft blocks ended */
   for (int k = 0;; k++) {
     update_blocks(r);
     lam_weights weights = weights_at(schedule, k);
+    if (!wishes) weights.soft = 0;
     double t = now();
     lam_residual here = lam_system_assemble(r->system, r->problem->x, weights, r->values, r->gradient);
     s->seconds_assembly += now() - t;
@@ -121,7 +133,7 @@ static void iterate(run *r, const lam_progress *progress) {
     char detail[80];
     snprintf(detail, sizeof detail, "iteration %d, residual %.1e", k, here.max);
     lam_progress_tell(progress, "solve", (double)k / schedule->max_iterations, detail);
-    bool faded = weights.fairness == 0;
+    bool faded = weights.fairness == 0 && !wishes;
     calm = faded ? calm + 1 : 0;
     if (!isfinite(here.energy)) {
       s->reason = "the residual is not a number: the start is singular";
@@ -141,6 +153,13 @@ static void iterate(run *r, const lam_progress *progress) {
       return;
     }
     double moved = take_step(r, &here, weights, &after);
+    bool gained = moved >= 0 && after.energy < (1 - settled) * here.energy;
+    bool met = after.energy <= .5 * schedule->tolerance * schedule->tolerance;
+    if (wishes && weights.fairness == 0 && (!gained || met || 4 * k >= 3 * schedule->max_iterations)) {
+      wishes = false;
+      r->lambda = lambda_start;
+      continue;
+    }
     if (moved < 0 && faded) {
       s->reason = "stalled: no step lowers the residual";
       return;
@@ -179,8 +198,14 @@ lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule
   if (r.n > 0) {
     iterate(&r, progress);
     solution.factor = lam_factor_get_stats(r.factor);
-  } else {
-    solution.converged = true;
+  } else { /* every node is fixed */
+    update_blocks(&r);
+    lam_residual here = lam_system_residual(r.system, problem->x, (lam_weights){1, 1, 0});
+    solution.residual = here.max;
+    solution.rms = here.rms;
+    solution.worst = here.worst;
+    solution.converged = isfinite(here.energy) && here.max <= schedule->tolerance;
+    if (!solution.converged) solution.reason = "everything is fixed, but constraints are not satisfied";
   }
   lam_arena_release(problem->arena, mark);
   solution.seconds_total = now() - begin;

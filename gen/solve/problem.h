@@ -16,7 +16,7 @@ typedef void (*lam_kernel)(int n, const double *x, const double *p, double *r, d
 
 typedef enum lam_role {
   LAM_HARD,     /* must vanish: convergence is judged by it */
-  LAM_SOFT,     /* keeps its weight: closeness to a shape, proximity */
+  LAM_SOFT,     /* a wish, such as proximity: keeps its weight until it is met as well as can be, then yields to the hard ones */
   LAM_FAIRNESS, /* weighted by the fading schedule */
 } lam_role;
 

@@ -107,7 +107,7 @@ good_with '^net  *asymptotic: '; ok "check says what would be built"
 grep -q '^part  *lamella: ' "$scratch/out"; ok "check names the parts"
 [[ $(ls "$scratch" | sort | tr '\n' ' ') == "enneper-model.yaml err other.yaml out page " ]]; ok "check writes no file"
 run check other.yaml --set 'net.grid=[6, 7]' --set 'parts[0].height=3 cm' --set sheets.kerf=0.2\ mm
-good_with 'grid \[6, 7\]' && grep -q 'height 30 mm' "$scratch/out" && grep -q 'kerf 0.2 mm' "$scratch/out"
+grep -q "6, 7" "$scratch/out" && grep -q 'height 30 mm' "$scratch/out" && grep -q 'kerf 0.2 mm' "$scratch/out"
 ok "--set overrides keys"
 run check other.yaml --set net.gird=3 --set 'parts[0].height=3'
 [[ $status -eq 2 && $(wc -l <"$scratch/err") -eq 2 ]] && grep -q '^--set net.gird: no such key; .*(did you mean grid?)$' "$scratch/err" &&
@@ -118,7 +118,7 @@ refused_with '--set without KEY=VALUE'; ok "--set needs a value"
 run check other.yaml --set render.setting=moon
 refused_with '--set render.setting: given moon; expected the name of a file in templates/pov'; ok "an unknown setting is refused"
 run check nowhere.yaml
-refused_with 'nowhere.yaml: No such file or directory'; ok "a missing design is said to be missing"
+refused_with 'nowhere.yaml: cannot be opened: No such file or directory'; ok "a missing design is said to be missing"
 run check .
 [[ $status -eq 2 && ! -s $scratch/out && -s $scratch/err ]]; ok "a folder is not a design"
 for verb in list show new check; do

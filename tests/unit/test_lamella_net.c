@@ -143,35 +143,72 @@ static void closed_rings(void **state) {
   assert_buildable(state, &mesh, keys);
 }
 
-/* `sectors` sectors of 3 x 3 rhombi around a vertex, on z = r^3 cos(3 a) / 20 (a monkey saddle) with six of them. */
-static lam_mesh branched(lam_arena *arena, int sectors) {
-  enum { size = 3 };
-  lam_mesh mesh = {1, LAM_NEW(arena, lam_vec3, 1 + sectors * size * (size + 1)), 0, NULL};
+/* `sectors` sectors of size x size rhombi around a vertex, on a monkey saddle when there are six. With a hole, the
+ * faces with both coordinates below `hole` are left out, as are vertices that no face uses. */
+static lam_mesh branched(lam_arena *arena, int sectors, int size, int hole) {
+  enum { most = 13 };
+  lam_mesh mesh = {hole ? 0 : 1, LAM_NEW(arena, lam_vec3, 1 + sectors * size * (size + 1)), 0, NULL};
   mesh.faces = (int(*)[4])lam_arena_alloc(arena, (size_t)(sectors * size * size), sizeof *mesh.faces);
-  int index[8][size + 1][size + 1]; /* a along the sector's first ray, b along its second */
+  int index[8][most][most]; /* a along the sector's first ray, b along its second */
   for (int s = 0; s < sectors; s++)
     for (int a = 1; a <= size; a++)
       for (int b = 0; b <= size; b++) {
+        if (a < hole && b < hole) continue;
         double t = 2 * pi * s / sectors, u = t + 2 * pi / sectors;
         double x = a * cos(t) + b * cos(u), y = a * sin(t) + b * sin(u), r = hypot(x, y);
         index[s][a][b] = mesh.vertex_count;
-        mesh.vertices[mesh.vertex_count++] = lam_v3(x, y, r * r * r * cos(3 * atan2(y, x)) / 200);
+        mesh.vertices[mesh.vertex_count++] = lam_v3(x, y, r * r * r * cos(3 * atan2(y, x)) / (20 * size * size));
       }
   for (int s = 0; s < sectors; s++)
     for (int b = 0; b <= size; b++) index[s][0][b] = b ? index[(s + 1) % sectors][b][0] : 0;
   for (int s = 0; s < sectors; s++)
     for (int a = 0; a < size; a++)
-      for (int b = 0; b < size; b++, mesh.face_count++) {
+      for (int b = 0; b < size; b++) {
+        if (a < hole && b < hole) continue;
         int corner[4] = {index[s][a][b], index[s][a + 1][b], index[s][a + 1][b + 1], index[s][a][b + 1]};
-        memcpy(mesh.faces[mesh.face_count], corner, sizeof corner);
+        memcpy(mesh.faces[mesh.face_count++], corner, sizeof corner);
       }
   return mesh;
+}
+
+/* Selected polylines of `family` that a polyline of the other family crosses: every k-th vertex of it, beginning at the
+ * first (every line of these nets begins and ends on a selected one). */
+static void assert_every_kth(void **state, const lam_mesh *mesh, int every) {
+  lam_workshop shop = fixture_workshop(fixture_arena(state), mesh);
+  const lam_net *net = shop.net;
+  for (int family = 0; family < 2; family++) {
+    bool *on = LAM_NEW(shop.arena, bool, net->mesh.vertex_count);
+    const bool *selected = lam_lamella_select(shop.arena, net, family, every, true);
+    for (int i = 0; i < net->polyline_count; i++)
+      for (int k = 0; selected[i] && k < net->polylines[i].count; k++) on[net->polylines[i].vertices[k]] = true;
+    for (int i = 0; i < net->polyline_count; i++)
+      for (int k = 0; net->polylines[i].family != family && k < net->polylines[i].count; k++)
+        assert_int_equal(on[net->polylines[i].vertices[k]], k % every == 0);
+  }
+}
+
+/* On branched nets, with the irregular vertex and with a hole in its place, and on grids. */
+static void every_kth_polyline(void **state) {
+  lam_mesh mesh = branched(fixture_arena(state), 6, 12, 0);
+  for (int every = 1; every <= 4; every++) assert_every_kth(state, &mesh, every);
+  mesh = branched(fixture_arena(state), 6, 12, 4);
+  assert_every_kth(state, &mesh, 2);
+  assert_every_kth(state, &mesh, 4);
+  mesh = branched(fixture_arena(state), 8, 6, 0);
+  assert_every_kth(state, &mesh, 3);
+  mesh = fixture_grid(fixture_arena(state), 13, 7, hypar);
+  assert_every_kth(state, &mesh, 3);
+  /* 8 polylines, every fifth: the second and the seventh, as far from both ends */
+  mesh = fixture_grid(fixture_arena(state), 3, 8, hypar);
+  lam_workshop shop = fixture_workshop(fixture_arena(state), &mesh);
+  const bool *selected = lam_lamella_select(shop.arena, shop.net, 0, 5, true);
+  for (int i = 0; i < 8; i++) assert_int_equal(selected[i], i == 1 || i == 6);
 }
 
 /* Six lamellas end short of the irregular vertex; sheets of half width w at 60 degrees clear each other from w / tan 30
  * on. */
 static void irregular_vertex(void **state) {
-  lam_mesh mesh = branched(fixture_arena(state), 6);
+  lam_mesh mesh = branched(fixture_arena(state), 6, 3, 0);
   lam_lamella_keys keys = fixture_keys();
   for (int pair = 0; pair < 2; pair++) {
     keys.pair = pair * 0.025;
@@ -187,7 +224,7 @@ static void irregular_vertex(void **state) {
 }
 
 static void odd_vertices_are_refused(void **state) {
-  lam_mesh mesh = branched(fixture_arena(state), 5);
+  lam_mesh mesh = branched(fixture_arena(state), 5, 3, 0);
   lam_workshop shop = fixture_workshop(fixture_arena(state), &mesh);
   lam_lamella_keys keys = fixture_keys();
   fixture_make(&shop, "lamella", &keys);
@@ -243,7 +280,7 @@ static void connectors(void **state) {
   assert_int_equal(facts.self_intersections, 0);
   /* head 5.3 and nut 6.8 high over a hexagon of s = 13; the shank between and 2 mm beyond */
   double hexagon = sqrt(3) / 2 * 0.013 * 0.013, shank = pi * 0.004 * 0.004 * (0.1 + 2 * 0.00505 + 0.002);
-  assert_near(facts.volume, hexagon * (0.0053 + 0.0068) + shank, 0.01 * shank);
+  assert_near(facts.volume, hexagon * (0.0053 + 0.0068) + shank, 0.02 * shank);
   assert_near(bolt->mass, 7850 * facts.volume, 1e-12);
   for (int i = 0; i < washer->instance_count; i++) {
     const lam_frame *f = &washer->instances[i];
@@ -279,43 +316,39 @@ static void connector_messages(void **state) {
   }
 }
 
+/* Makes lamellas and looks for clashes, with the n-th allocation failing. True when nothing failed. */
+static bool survives(int n) {
+  lam_arena *arena = lam_arena_new();
+  volatile bool done = false;
+  if (LAM_ARENA_TRY(arena)) {
+    lam_mesh mesh = fixture_grid(arena, 9, 9, hypar);
+    lam_workshop shop = fixture_workshop(arena, &mesh);
+    lam_lamella_keys keys = fixture_keys();
+    lam_alloc_fail_after(n);
+    fixture_make(&shop, "lamella", &keys);
+    lam_workshop_clash(&shop);
+    done = true;
+  }
+  lam_alloc_fail_after(-1);
+  lam_arena_free(arena);
+  return done;
+}
+
 /* Every allocation may fail: control comes back to the recovery point. */
 static void running_out_of_memory(void **state) {
   (void)state;
-  for (int n = 0; n < 200; n++) {
-    lam_arena *arena = lam_arena_new();
-    volatile bool done = false;
-    if (LAM_ARENA_TRY(arena)) {
-      lam_mesh mesh = fixture_grid(arena, 9, 9, hypar);
-      lam_workshop shop = fixture_workshop(arena, &mesh);
-      lam_lamella_keys keys = fixture_keys();
-      lam_alloc_fail_after(n);
-      fixture_make(&shop, "lamella", &keys);
-      lam_workshop_clash(&shop);
-      done = true;
-    }
-    lam_alloc_fail_after(-1);
-    lam_arena_free(arena);
-    if (done) {
-      assert_true(n > 0);
-      return;
-    }
-  }
-  fail_msg("never enough memory");
+  int n = 0;
+  while (n < 200 && !survives(n)) n++;
+  assert_in_range(n, 1, 199);
 }
 
 int main(void) {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, fixture_setup, fixture_teardown)
-  const struct CMUnitTest tests[] = {TEST(hyperbolic_paraboloid),
-                                     TEST(asymptotic_nets_are_buildable),
-                                     TEST(paired_enneper),
-                                     TEST(congruent_parts),
-                                     TEST(closed_rings),
-                                     TEST(irregular_vertex),
-                                     TEST(odd_vertices_are_refused),
-                                     TEST(a_dome_is_not_straight),
-                                     TEST(connectors),
-                                     TEST(connector_messages),
-                                     TEST(running_out_of_memory)};
+  const struct CMUnitTest tests[] = {TEST(hyperbolic_paraboloid),  TEST(asymptotic_nets_are_buildable),
+                                     TEST(paired_enneper),         TEST(congruent_parts),
+                                     TEST(closed_rings),           TEST(every_kth_polyline),
+                                     TEST(irregular_vertex),       TEST(odd_vertices_are_refused),
+                                     TEST(a_dome_is_not_straight), TEST(connectors),
+                                     TEST(connector_messages),     TEST(running_out_of_memory)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

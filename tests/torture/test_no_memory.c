@@ -1,0 +1,158 @@
+/* Memory that runs out at every possible place: of a complete small design (parsing, surface, net, lamellas, sheets, every writer) and of
+ * reading meshes. Each time control comes back to the recovery point, everything is given back, and the next run works.
+ *
+ * Allocations of an arena come out of blocks, so a failing block stands for any of the allocations that fill the one before. To hit
+ * others than the few at the end of a block, part of the first block is used up beforehand, by another amount each time. */
+#include "design/build.h"
+#include "design/design.h"
+#include "formats/format.h"
+
+#include <malloc.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <string.h>
+
+enum { block = 1 << 18, piece = 1 << 9 }; /* of core/arena.c; other values only change which allocations are hit */
+
+static const char design_text[] = "lamella: 1\nname: small\nsurface: {kind: enneper, size: 4 m}\n"
+                                  "net: {kind: asymptotic, grid: [4, 4], orthogonal: yes}\n"
+                                  "parts:\n  - {kind: lamella, height: 60 mm, thickness: 1 mm}\n"
+                                  "sheets: {stock: [3 m, 1.5 m], kerf: 0.2 mm}\n";
+static const char near_text[] = "lamella: 1\nname: near\nsurface: {kind: enneper, size: 4 m}\n"
+                                "net: {kind: free, grid: [4, 4], reference: {file: reference.obj}}\n";
+static const char obj_text[] = "# a table\nv -9 -9 0\nv 9 -9 0\nv 9 9 0.5\nv -9 9 0\nf 1 2 3 4\n";
+static const char stl_text[] = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                               "endfacet\nendsolid s\n";
+
+static bool load(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors, lam_trimesh *mesh) {
+  (void)context;
+  return lam_format_for(path)->read_triangles(arena, obj_text, strlen(obj_text), place, errors, mesh);
+}
+
+/* A design from text to files; returns the bytes that it makes. */
+static size_t make(lam_arena *arena, lam_errors *errors, const char *text) {
+  lam_design design;
+  lam_model model;
+  lam_loader loader = {NULL, load, NULL};
+  if (!lam_design_parse(arena, text, strlen(text), "small.yaml", NULL, 0, errors, &design)) return 0;
+  if (!lam_design_build(arena, &design, &loader, NULL, errors, &model)) return 0;
+  size_t bytes = 0;
+  for (int k = 0; k < lam_format_count; k++) {
+    const lam_format *format = lam_formats[k];
+    for (int i = 0; format->write && i < format->count(&model); i++) { /* the picture is rendered by a program */
+      lam_text path = {.arena = arena}, out = {.arena = arena};
+      format->path(&model, i, &path);
+      if (format->write(&model, i, &out) != LAM_OK) return 0;
+      bytes += path.length + out.length;
+    }
+  }
+  return bytes;
+}
+
+static size_t make_design(lam_arena *arena, lam_errors *errors) { return make(arena, errors, design_text); }
+static size_t make_near(lam_arena *arena, lam_errors *errors) { return make(arena, errors, near_text); }
+
+static size_t read_meshes(lam_arena *arena, lam_errors *errors) {
+  lam_mesh quads;
+  lam_trimesh triangles;
+  lam_place place = {"mesh", 0, 0};
+  const lam_format *obj = lam_format_for("a.obj"), *stl = lam_format_for("a.stl");
+  size_t read = 0;
+  if (obj->read_mesh(arena, obj_text, strlen(obj_text), place, errors, &quads)) read += (size_t)quads.vertex_count;
+  if (obj->read_triangles(arena, obj_text, strlen(obj_text), place, errors, &triangles)) read += (size_t)triangles.triangle_count;
+  if (stl->read_triangles(arena, stl_text, strlen(stl_text), place, errors, &triangles)) read += (size_t)triangles.triangle_count;
+  return read;
+}
+
+/* What goes wrong on purpose: messages take memory too. */
+static size_t complain(lam_arena *arena, lam_errors *errors) {
+  static const char wrong[] = "lamella: 1\nname: wrong\nsurfaces: {kind: enneper}\nnet: {kind: asymptotik, grid: [1]}\nsheets: 7\n";
+  lam_design design;
+  if (lam_design_parse(arena, wrong, strlen(wrong), "wrong.yaml", NULL, 0, errors, &design)) return 0;
+  size_t bytes = 0;
+  for (const lam_error *e = errors->first; e; e = e->next) bytes += strlen(e->text);
+  errors->count = 0;
+  return bytes;
+}
+
+typedef size_t (*task)(lam_arena *arena, lam_errors *errors);
+
+/* One run in which allocation number `failing` fails and `used` bytes of the first block are gone beforehand. Returns false when memory
+ * ran out; the bytes made go to *made otherwise. */
+static bool run(task work, long failing, size_t used, size_t *made) {
+  lam_alloc_fail_after(failing);
+  lam_arena *arena = lam_arena_new();
+  if (!arena) return false;
+  if (!LAM_ARENA_TRY(arena)) {
+    lam_arena_free(arena);
+    return false;
+  }
+  for (size_t i = 0; i < used; i += piece) lam_arena_alloc(arena, piece, 1);
+  lam_errors *errors = LAM_NEW(arena, lam_errors, 1);
+  errors->arena = arena;
+  *made = work(arena, errors);
+  if (errors->count) print_error("%s: %s\n", errors->first->key, errors->first->text);
+  assert_int_equal(errors->count, 0);
+  lam_arena_free(arena);
+  return true;
+}
+
+/* Fails every allocation in turn, with the first block used up to `steps` different degrees. Returns the number of failures. */
+static long fail_everywhere(task work, int steps, size_t expected) {
+  long failures = 0;
+  for (int step = 0; step < steps; step++) {
+    size_t used = (size_t)block * (size_t)step / (size_t)steps, made = 0;
+    for (long n = 0; !run(work, n, used, &made); n++) failures++;
+    if (made != expected) fail_msg("%zu bytes instead of %zu after failures", made, expected);
+  }
+  lam_alloc_fail_after(-1);
+  return failures;
+}
+
+/* Twice, because libraries and the allocator keep something of the first time: the second time, the memory in use grows by no more than
+ * a few bytes per failure. (A leak sanitizer sees the rest.) */
+static void exhaust(task work, int steps) {
+  size_t expected = 0;
+  assert_true(run(work, -1, 0, &expected));
+  assert_true(expected > 0);
+  long failures = fail_everywhere(work, steps, expected);
+  assert_true(failures >= steps);
+  size_t before = mallinfo2().uordblks;
+  assert_int_equal(fail_everywhere(work, steps, expected), failures);
+  size_t after = mallinfo2().uordblks;
+  if (after > before + 16 * (size_t)failures) fail_msg("%zu bytes leak in %ld failures", after - before, failures);
+}
+
+static void a_design_survives(void **state) {
+  (void)state;
+  exhaust(make_design, 8);
+}
+
+static void a_net_near_a_reference_survives(void **state) {
+  (void)state;
+  exhaust(make_near, 12);
+}
+
+static void reading_meshes_survives(void **state) {
+  (void)state;
+  exhaust(read_meshes, 500);
+}
+
+static void complaining_survives(void **state) {
+  (void)state;
+  exhaust(complain, 300);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(a_design_survives),
+      cmocka_unit_test(a_net_near_a_reference_survives),
+      cmocka_unit_test(reading_meshes_survives),
+      cmocka_unit_test(complaining_survives),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
