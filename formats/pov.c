@@ -205,23 +205,15 @@ static void scene_path(const lam_model *model, int i, lam_text *path) {
 
 /* ---- template files ---- */
 
-static const char *const plaza_files[] = {
-    "pov/render.ini", "pov/materials.inc", "pov/camera.inc", "pov/light.inc", "pov/sky.inc",
-    "pov/ground.inc", "pov/people.inc",    "pov/trees.inc",  "pov/plaza.inc", NULL};
-static const char *const studio_files[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc",
-                                           "pov/light.inc",  "pov/studio.inc",    NULL};
-
-static const struct setting {
-  const char *name;
-  const char *const *files;
-} settings[] = {{"plaza", plaza_files}, {"studio", studio_files}};
-
-/* A setting of the user's own may use everything that is shared. */
-static const char *const *scene_support(const lam_model *model) {
-  for (size_t k = 0; k < sizeof settings / sizeof *settings; k++) {
-    if (strcmp(settings[k].name, model->picture.setting) == 0) return settings[k].files;
-  }
-  return plaza_files;
+/* What every setting may use, and the setting itself. */
+static const char *const *scene_support(lam_arena *arena, const lam_model *model) {
+  static const char *const shared[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc", "pov/light.inc",
+                                       "pov/sky.inc",    "pov/ground.inc",    "pov/people.inc", "pov/trees.inc"};
+  enum { shared_count = sizeof shared / sizeof *shared };
+  const char **files = LAM_NEW(arena, const char *, shared_count + 2);
+  memcpy(files, shared, sizeof shared);
+  files[shared_count] = lam_arena_printf(arena, "pov/%s.inc", model->picture.setting);
+  return files;
 }
 
 extern const lam_format lam_format_pov;

@@ -3,17 +3,19 @@
  * others are solids placed by frames. Millimetres; faces clockwise seen from outside.
  *
  * A template X.scad gives X_solid(records, settings...) and X_outlines(records, names, settings...): see
- * templates/scad/lamella.scad. A new template needs a line in `templates` below and nothing else here. */
+ * templates/scad/lamella.scad. A new template needs nothing here. */
 #include "core/mesh.h"
 #include "formats/format.h"
 
 #include <string.h>
 
-static const char *const templates[] = {"scad/parts.scad", "scad/lamella.scad", NULL};
-
-static const char *const *scad_support(const lam_model *model) {
-  (void)model;
-  return templates;
+/* The library, and the template of every kind of part that has records. */
+static const char *const *scad_support(lam_arena *arena, const lam_model *model) {
+  const char **files = LAM_NEW(arena, const char *, model->record_kind_count + 2);
+  files[0] = "scad/parts.scad";
+  for (int i = 0; i < model->record_kind_count; i++)
+    files[i + 1] = lam_arena_printf(arena, "scad/%s", model->record_kinds[i].scad);
+  return files;
 }
 
 static int scad_count(const lam_model *model) { return model->part_count ? 2 : 0; }
@@ -186,7 +188,8 @@ static void write_main(const lam_model *model, lam_text *out) {
   add_show(out, model);
   add_settings(out, model);
   lam_text_printf(out, "\n/* [Hidden] */\ninclude <%s_data.scad>\n", model->name);
-  for (const char *const *name = templates; *name; name++) lam_text_printf(out, "use <%s>\n", base_name(*name));
+  lam_text_add(out, "use <parts.scad>\n");
+  for (int k = 0; k < model->record_kind_count; k++) lam_text_printf(out, "use <%s>\n", model->record_kinds[k].scad);
   add_view(out, model);
 }
 

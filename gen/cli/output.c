@@ -88,7 +88,7 @@ static lam_status write_format(lam_arena *arena, const lam_model *model, const l
     if (status != LAM_OK) return status;
   }
   if (files == 0 || !format->support) return LAM_OK;
-  return copy_support(arena, output, format->support(model), errors);
+  return copy_support(arena, output, format->support(arena, model), errors);
 }
 
 static lam_status render(lam_arena *arena, const lam_model *model, lam_output *output, lam_errors *notes) {

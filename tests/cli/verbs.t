@@ -107,7 +107,7 @@ good_with '^net  *asymptotic: '; ok "check says what would be built"
 grep -q '^part  *lamella: ' "$scratch/out"; ok "check names the parts"
 [[ $(ls "$scratch" | sort | tr '\n' ' ') == "enneper-model.yaml err other.yaml out page " ]]; ok "check writes no file"
 run check other.yaml --set 'net.grid=[6, 7]' --set 'parts[0].height=3 cm' --set sheets.kerf=0.2\ mm
-grep -q "6, 7" "$scratch/out" && grep -q 'height 30 mm' "$scratch/out" && grep -q 'kerf 0.2 mm' "$scratch/out"
+tr -s ' \n' ' ' <"$scratch/out" | grep -q 'grid \[6, 7\]' && grep -q 'height 30 mm' "$scratch/out" && grep -q 'kerf 0.2 mm' "$scratch/out"
 ok "--set overrides keys"
 run check other.yaml --set net.gird=3 --set 'parts[0].height=3'
 [[ $status -eq 2 && $(wc -l <"$scratch/err") -eq 2 ]] && grep -q '^--set net.gird: no such key; .*(did you mean grid?)$' "$scratch/err" &&
