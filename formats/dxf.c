@@ -1,4 +1,4 @@
-/* DXF, release 12 (AC1009): a file per sheet, in millimetres. Everything is a POLYLINE, so that every laser, plasma and
+/* DXF, release 12 (AC1009): a file per sheet, in millimeters. Everything is a POLYLINE, so that every laser, plasma and
  * water-jet program reads it; a closed one has flag 1 and does not repeat its first point. */
 #include "formats/format.h"
 #include "formats/layer.h"
@@ -78,7 +78,7 @@ static void tables(lam_text *out) {
 
 /* Points that fall together when rounded are written once. */
 static bool same(lam_vec2 a, lam_vec2 b) {
-  double scale = 1e7; /* DECIMALS of a millimetre */
+  double scale = 1e7; /* DECIMALS of a millimeter */
   return round(a.x * scale) == round(b.x * scale) && round(a.y * scale) == round(b.y * scale);
 }
 
@@ -110,7 +110,7 @@ static void remarks(lam_text *out, const lam_model *model, const lam_sheet *shee
   lam_text_printf(out, "999\n%s, %s: %s, ", model->name, sheet->name,
                   sheet->material ? sheet->material->name : "any material");
   lam_text_number(out, sheet->thickness * 1e3, 3);
-  lam_text_add(out, " mm thick; millimetres\n999\n");
+  lam_text_add(out, " mm thick; millimeters\n999\n");
   if (sheet->kerf > 0) {
     lam_text_add(out, "kerf of ");
     lam_text_number(out, sheet->kerf * 1e3, 3);
@@ -145,7 +145,7 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_dxf = {
     .name = "dxf",
     .doc = "Cutting sheets for lasers, plasma and water jets: DXF release 12, layers CUT, ENGRAVE, LABEL and SHEET, "
-           "millimetres.",
+           "millimeters.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

@@ -1,4 +1,4 @@
-/* glTF binary: metres, y up through the matrix of one root node. Below it a node per family with a named node per part,
+/* glTF binary: meters, y up through the matrix of one root node. Below it a node per family with a named node per part,
  * and for a part with instances a node with one child per instance, all of one mesh. Facts about a part are in the
  * extras of its node. A model without parts shows its net as lines. */
 #include "formats/corner_normals.h"
@@ -196,7 +196,7 @@ static lam_status gltf_write(const lam_model *model, int i, lam_text *out) {
 
 const lam_format lam_format_gltf = {
     .name = "gltf",
-    .doc = "glTF 2.0 binary: the model with named nodes, materials and facts, in metres, y up",
+    .doc = "glTF 2.0 binary: the model with named nodes, materials and facts, in meters, y up",
     .count = gltf_count,
     .path = gltf_path,
     .write = gltf_write,

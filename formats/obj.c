@@ -1,4 +1,4 @@
-/* Wavefront OBJ in metres. Written: net.obj with the net's faces and its polylines, and parts.obj with all parts as
+/* Wavefront OBJ in meters. Written: net.obj with the net's faces and its polylines, and parts.obj with all parts as
  * groups. Read: vertices and faces; texture coordinates, normals, lines, groups and materials are passed over. */
 #include "core/mesh.h"
 #include "formats/format.h"
@@ -89,7 +89,7 @@ static void write_parts(const lam_model *model, lam_text *out) {
 
 static lam_status write(const lam_model *model, int i, lam_text *out) {
   bool net = i == 0 && has_net(model);
-  lam_text_printf(out, "# %s: %s, metres\n", model->name, net ? "net" : "parts");
+  lam_text_printf(out, "# %s: %s, meters\n", model->name, net ? "net" : "parts");
   if (net)
     write_net(model, out);
   else
@@ -265,7 +265,7 @@ static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam
 
 const lam_format lam_format_obj = {
     .name = "obj",
-    .doc = "The net with its faces and polylines, and the parts as groups, in metres; meshes are read from it.",
+    .doc = "The net with its faces and polylines, and the parts as groups, in meters; meshes are read from it.",
     .ending = "obj",
     .count = count,
     .path = path,

@@ -1,4 +1,4 @@
-/* POV-Ray scenes. The parts are triangle meshes with normals, in metres, z up; the model's bounds, its extreme points
+/* POV-Ray scenes. The parts are triangle meshes with normals, in meters, z up; the model's bounds, its extreme points
  * and its supports are declared, and the setting (a file of templates/pov) brings ground, light, people and camera.
  *
  * Nothing in the scene is mirrored: cameras of camera.inc are right-handed. */
@@ -118,7 +118,7 @@ static void add_head(lam_text *out, const lam_model *model, int decimals) {
   }
   lam_text_printf(out, "// %s\n// Picture: povray \"render.ini[final]\" +I%s.pov +W%d +H%d\n", model->title,
                   model->name, model->picture.width, model->picture.height);
-  lam_text_add(out, "// Part numbers as flat colors: \"render.ini[mask]\" instead. Metres, z up.\n#version 3.7;\n"
+  lam_text_add(out, "// Part numbers as flat colors: \"render.ini[mask]\" instead. Meters, z up.\n#version 3.7;\n"
                     "global_settings { assumed_gamma 1.0 }\n\n#declare Model_Min = ");
   add_vector(out, min, decimals);
   lam_text_add(out, ";\n#declare Model_Max = ");

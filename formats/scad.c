@@ -1,6 +1,6 @@
 /* OpenSCAD. Two files: NAME.scad is short and made for people: the literals of the Customizer, and what the templates
  * make of the data; NAME_data.scad has the numbers. Parts with records are built by the template of their kind, the
- * others are solids placed by frames. Millimetres; faces clockwise seen from outside.
+ * others are solids placed by frames. Millimeters; faces clockwise seen from outside.
  *
  * A template X.scad gives X_solid(records, settings...) and X_outlines(records, names, settings...): see
  * templates/scad/lamella.scad. A new template needs nothing here. */
@@ -183,7 +183,7 @@ static void add_view(lam_text *out, const lam_model *model) {
 static void write_main(const lam_model *model, lam_text *out) {
   add_comment(out, model->title ? model->title : model->name, "");
   if (model->source) add_comment(out, model->source, "");
-  lam_text_printf(out, "// Written by lamella %s. Millimetres. Change the values here or in OpenSCAD's Customizer.\n\n",
+  lam_text_printf(out, "// Written by lamella %s. Millimeters. Change the values here or in OpenSCAD's Customizer.\n\n",
                   model->version);
   add_show(out, model);
   add_settings(out, model);
@@ -258,7 +258,7 @@ static void add_solid(lam_text *out, const lam_part *part) {
 }
 
 static void write_data(const lam_model *model, lam_text *out) {
-  lam_text_printf(out, "// The numbers of %s.scad. Written by lamella %s. Millimetres.\n\npart_names = [", model->name,
+  lam_text_printf(out, "// The numbers of %s.scad. Written by lamella %s. Millimeters.\n\npart_names = [", model->name,
                   model->version);
   for (int i = 0; i < model->part_count; i++) {
     lam_text_add(out, i % 12 ? ", " : i ? ",\n" : "\n");

@@ -1,4 +1,4 @@
-/* STL in millimetres. Written binary: an 80-byte header, the number of triangles, and per triangle its normal, its
+/* STL in millimeters. Written binary: an 80-byte header, the number of triangles, and per triangle its normal, its
  * corners (12 float32) and two zero bytes, all little end first. Read binary or as text. */
 #include "core/mesh.h"
 #include "formats/format.h"
@@ -194,7 +194,7 @@ static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam
 const lam_format lam_format_stl = {
     .name = "stl",
     .doc =
-        "Triangles of every part, and of the whole model with all instances, in millimetres; read binary or as text.",
+        "Triangles of every part, and of the whole model with all instances, in millimeters; read binary or as text.",
     .ending = "stl",
     .count = count,
     .path = path,

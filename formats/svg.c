@@ -1,4 +1,4 @@
-/* SVG: a file per sheet, true to size (one user unit is a millimetre), a group per part. SVG's y axis points down: y is
+/* SVG: a file per sheet, true to size (one user unit is a millimeter), a group per part. SVG's y axis points down: y is
  * mirrored. */
 #include "formats/format.h"
 #include "formats/layer.h"
@@ -100,7 +100,7 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_svg = {
     .name = "svg",
     .doc =
-        "Cutting sheets as SVG, true to size in millimetres, a group per part, the same layers and colors as in DXF.",
+        "Cutting sheets as SVG, true to size in millimeters, a group per part, the same layers and colors as in DXF.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

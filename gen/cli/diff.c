@@ -10,7 +10,7 @@
 static const char help[] =
     "usage: lamella diff A B [--tolerance T] [--mask FILE.png] [--json]\n"
     "\n"
-    "Compares two meshes (STL in millimetres, OBJ in metres) or two PNG pictures.\n"
+    "Compares two meshes (STL in millimeters, OBJ in meters) or two PNG pictures.\n"
     "\n"
     "Meshes are the same when both are closed or both are open, components and Euler number agree, volume and area\n"
     "agree to 1e-4 of their size, and no corner of the bounding box and no sampled point is further than the\n"
@@ -18,7 +18,7 @@ static const char help[] =
     "Pictures are the same when they have the same size, and the share of pixels that differ by more than 4 of 255\n"
     "in a channel is at most the tolerance. The hash of the decoded pixels is printed too.\n"
     "\n"
-    "  --tolerance T     meshes: largest distance in millimetres (0.05); pictures: share of pixels in percent (0.02)\n"
+    "  --tolerance T     meshes: largest distance in millimeters (0.05); pictures: share of pixels in percent (0.02)\n"
     "  --mask FILE.png   pictures: write a picture with the differing pixels in red\n"
     "  --json            the result as JSON, in SI units\n"
     "  --help            this text\n"

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Relative limit for volume and area; samples over the larger of both surfaces; limit for distances in millimetres. */
+/* Relative limit for volume and area; samples over the larger of both surfaces; limit for distances in millimeters. */
 static const double relative_limit = 1e-4, samples = 50000, default_tolerance_mm = 0.05;
 
 typedef struct comparison {
@@ -59,7 +59,7 @@ static void print_value(const row *r, double value) {
   printf(" %-20s", text);
 }
 
-/* Relative differences (limit 1e-4) have no unit; distances are shown in millimetres. */
+/* Relative differences (limit 1e-4) have no unit; distances are shown in millimeters. */
 static void print_rows(const comparison *c, const row *rows) {
   printf("%-14s %-20s %-20s %-14s %s\n", "", "A", "B", "difference", "limit");
   for (int i = 0; i < row_count; i++) {

@@ -7,8 +7,8 @@
 static const char help[] =
     "usage: lamella inspect FILE.stl|FILE.obj [--json]\n"
     "\n"
-    "Says whether a triangle mesh is a valid solid, and measures it. STL files are read in millimetres, OBJ files in\n"
-    "metres. Vertices at exactly the same place are merged first.\n"
+    "Says whether a triangle mesh is a valid solid, and measures it. STL files are read in millimeters, OBJ files in\n"
+    "meters. Vertices at exactly the same place are merged first.\n"
     "\n"
     "  --json   the same as JSON, in SI units (m, m^2, m^3; inertia in m^5: xx, yy, zz, xy, yz, zx, density 1)\n"
     "  --help   this text\n"
@@ -19,7 +19,7 @@ static void print_point(const char *name, lam_vec3 p, double scale, const char *
   printf("%-20s %.6g %.6g %.6g %s\n", name, p.x * scale, p.y * scale, p.z * scale, unit);
 }
 
-/* Lengths in millimetres for what is smaller than a metre, else in metres. */
+/* Lengths in millimeters for what is smaller than a meter, else in meters. */
 static void print_facts(const lam_solid_facts *f) {
   bool small = lam_distance(f->min, f->max) < 1;
   const char *unit = small ? "mm" : "m";

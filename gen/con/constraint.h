@@ -13,7 +13,7 @@
 typedef struct lam_scope {
   lam_problem *problem;
   const lam_net *net;        /* connectivity; positions are those of problem->x */
-  double unit;               /* metres per solver unit */
+  double unit;               /* meters per solver unit */
   const lam_tree *reference; /* NULL: none */
   const lam_trimesh *reference_mesh; /* in solver units */
   lam_errors *errors;
@@ -43,7 +43,7 @@ typedef struct lam_angle_params {
 } lam_angle_params;
 extern const lam_key lam_star_keys[]; /* of lam_star_params */
 typedef struct lam_edge_length_params {
-  double length; /* metres; 0: every edge keeps its length at the start */
+  double length; /* meters; 0: every edge keeps its length at the start */
   bool boundary_only;
 } lam_edge_length_params;
 typedef enum lam_fair { LAM_FAIR_POSITION, LAM_FAIR_DISPLACEMENT } lam_fair;
@@ -53,7 +53,7 @@ typedef struct lam_fairness_params {
 } lam_fairness_params;
 typedef struct lam_handle_params {
   int vertex[2];   /* grid position, or {index, -1} */
-  double to[3];    /* metres */
+  double to[3];    /* meters */
 } lam_handle_params;
 
 /* Elements of all regular stars: nodes center, +u, +v, -u, -v (5 each). With border, reentrant corners of the boundary (four

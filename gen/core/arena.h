@@ -1,5 +1,5 @@
 /* The memory of one run. Allocations are zeroed and never NULL: when memory runs out, control jumps to the run's
- * recovery point (LAM_ARENA_TRY). What needs closing (a factorisation, a tree behind a shim) is deferred to the arena
+ * recovery point (LAM_ARENA_TRY). What needs closing (a factorization, a tree behind a shim) is deferred to the arena
  * and closed with it, in reverse order. An arena belongs to one thread.
  *
  * C++ code never allocates from an arena: a jump must not cross its frames. */

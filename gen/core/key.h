@@ -31,7 +31,7 @@ typedef enum lam_key_type {
   LAM_KEY_ROW
 } lam_key_type;
 
-/* LENGTH: a number with m, cm, mm or um; stored in metres. ANGLE: deg or rad; stored in radians. A bare number with a unit
+/* LENGTH: a number with m, cm, mm or um; stored in meters. ANGLE: deg or rad; stored in radians. A bare number with a unit
  * missing is an error, except 0. */
 typedef enum lam_key_unit { LAM_UNIT_NONE, LAM_UNIT_LENGTH, LAM_UNIT_ANGLE } lam_key_unit;
 

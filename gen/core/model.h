@@ -1,4 +1,4 @@
-/* The model: what a design was turned into, as plain data. Writers see nothing else. Metres, radians, z up.
+/* The model: what a design was turned into, as plain data. Writers see nothing else. Meters, radians, z up.
  * Everything is owned by the arena of the run. */
 #ifndef LAM_CORE_MODEL_H
 #define LAM_CORE_MODEL_H
@@ -71,8 +71,8 @@ typedef struct lam_flat {
 } lam_flat;
 
 /* ---- records for programs that rebuild the part themselves (OpenSCAD) ---- */
-/* A table of numbers: rows x columns, row-major. Lengths in metres; decimals is the precision to write after
- * conversion: lengths (is_length[column]) are written in millimetres. */
+/* A table of numbers: rows x columns, row-major. Lengths in meters; decimals is the precision to write after
+ * conversion: lengths (is_length[column]) are written in millimeters. */
 typedef struct lam_record {
   const char *name; /* of the part */
   int family;
@@ -205,7 +205,7 @@ typedef struct lam_setting {
   const char *section; /* Customizer group */
   const char *range;   /* Customizer comment such as "[0:0.05:2]"; NULL when none */
   const char *doc;
-  double value;        /* stored units; lengths are written in millimetres */
+  double value;        /* stored units; lengths are written in millimeters */
   bool is_length;
 } lam_setting;
 

@@ -1,4 +1,4 @@
-/* Three-dimensional vectors, by value. Components are in metres unless a caller says otherwise. */
+/* Three-dimensional vectors, by value. Components are in meters unless a caller says otherwise. */
 #ifndef LAM_CORE_VEC3_H
 #define LAM_CORE_VEC3_H
 

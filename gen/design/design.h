@@ -15,8 +15,8 @@ typedef struct lam_render_keys {
 } lam_render_keys;
 
 typedef struct lam_sheet_keys {
-  double stock[2];              /* length and width of a sheet, metres */
-  double kerf, margin, spacing; /* metres */
+  double stock[2];              /* length and width of a sheet, meters */
+  double kerf, margin, spacing; /* meters */
 } lam_sheet_keys;
 
 typedef struct lam_design {

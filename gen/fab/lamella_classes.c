@@ -3,7 +3,7 @@
  * strip equals another one forwards or backwards. */
 #include "fab/lamella_make.h"
 
-static const double tolerance = 1e-4; /* metres */
+static const double tolerance = 1e-4; /* meters */
 
 /* Begin and end of every slot and the length, measured from the start, or from the end when reversed. Returns the
  * count. */

@@ -40,7 +40,7 @@ static lam_vec3 tangent(const lam_vec3 *at, const lam_polyline *line, int i) {
   return lam_unit(lam_along(lam_scale(next, -1), 2 * lam_dot(next, edge), edge));
 }
 
-/* The derivative of the normals along a line, per metre. */
+/* The derivative of the normals along a line, per meter. */
 static lam_vec3 normal_change(const lam_vec3 *at, const lam_vec3 *normals, const lam_polyline *line, int i) {
   int side[2], v = line->vertices[i];
   around(line, i, side);

@@ -14,7 +14,7 @@ typedef struct connector_keys {
   int material;
 } connector_keys;
 
-/* Hexagon bolts (ISO 4017), nuts (ISO 4032) and medium holes (ISO 273), in millimetres. */
+/* Hexagon bolts (ISO 4017), nuts (ISO 4032) and medium holes (ISO 273), in millimeters. */
 static const struct {
   double diameter, across_flats, head, nut, hole;
 } bolts[] = {{6, 10, 4, 5.2, 6.6}, {8, 13, 5.3, 6.8, 9}, {10, 16, 6.4, 8.4, 11}, {12, 18, 7.5, 10.8, 13.5}};

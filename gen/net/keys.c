@@ -7,9 +7,9 @@ static const char *const boundaries[] = {"free", "fixed", "glide", NULL};
 
 static const lam_key source_keys[] = {
     {.name = "stage", .type = LAM_KEY_CHOICE, AT(lam_net_source, stage), .count = 1, .initial = "surface", .choices = stages,
-     .doc = "The surface of this design, in the parameterisation that the net needs."},
+     .doc = "The surface of this design, in the parameterization that the net needs."},
     {.name = "file", .type = LAM_KEY_TEXT, AT(lam_net_source, file), .count = 1, .initial = "~",
-     .doc = "A quad mesh (OBJ, metres) instead, relative to the design file."},
+     .doc = "A quad mesh (OBJ, meters) instead, relative to the design file."},
     {0}};
 
 static const lam_key handle_keys[] = {
@@ -23,7 +23,7 @@ static const lam_key handle_keys[] = {
 
 static const lam_key reference_keys[] = {
     {.name = "file", .type = LAM_KEY_TEXT, AT(lam_reference_keys, file), .count = 1, .initial = "~",
-     .doc = "A mesh (OBJ or STL) that the net is to stay near, relative to the design file. OBJ in metres, STL in millimetres."},
+     .doc = "A mesh (OBJ or STL) that the net is to stay near, relative to the design file. OBJ in meters, STL in millimeters."},
     {.name = "weight", .type = LAM_KEY_NUMBER, AT(lam_reference_keys, weight), .count = 1, .initial = "0.1", .min = 1e-6,
      .max = 1e3, .doc = "Weight of the distance against the constraints."},
     {0}};

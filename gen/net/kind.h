@@ -1,4 +1,4 @@
-/* Kinds of nets: one per file; the list is net/registry.c. A kind says which parameterisation it starts from, which
+/* Kinds of nets: one per file; the list is net/registry.c. A kind says which parameterization it starts from, which
  * constraints it is made of, how it is solved, and which independent measures prove it. */
 #ifndef LAM_NET_KIND_H
 #define LAM_NET_KIND_H

@@ -1,4 +1,4 @@
-/* Independent measures of a net, from positions alone: never the residuals that were minimised. One list. */
+/* Independent measures of a net, from positions alone: never the residuals that were minimized. One list. */
 #ifndef LAM_NET_MEASURE_H
 #define LAM_NET_MEASURE_H
 

@@ -8,7 +8,7 @@ typedef struct lam_net_job {
   const lam_net_kind *kind;
   const void *params;
   const lam_net_common *common;
-  const lam_trimesh *reference; /* metres; NULL: none */
+  const lam_trimesh *reference; /* meters; NULL: none */
   lam_place place;
   const lam_progress *progress;
 } lam_net_job;

@@ -1,4 +1,4 @@
-/* Initial nets: sampled from a surface in the parameterisation that a net needs. */
+/* Initial nets: sampled from a surface in the parameterization that a net needs. */
 #ifndef LAM_NET_START_H
 #define LAM_NET_START_H
 
@@ -7,7 +7,7 @@
 #include "surf/surface.h"
 
 /* Samples a surface. grid: cells along the families. hole: rings left out around a flat point. Scaled, turned and set on the
- * ground as place says. Errors (no such parameterisation, unequal grid around a flat point, ...) go to errors; false then. */
+ * ground as place says. Errors (no such parameterization, unequal grid around a flat point, ...) go to errors; false then. */
 bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,
                    const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh);
 

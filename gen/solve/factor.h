@@ -1,4 +1,4 @@
-/* Sparse Cholesky behind five functions: analyse once per pattern, factorise and solve every iteration. The matrix is
+/* Sparse Cholesky behind five functions: analyze once per pattern, factorize and solve every iteration. The matrix is
  * symmetric positive definite; its lower triangle is given by columns (0-based, rows ascending, diagonal first). */
 #ifndef LAM_SOLVE_FACTOR_H
 #define LAM_SOLVE_FACTOR_H
@@ -9,14 +9,14 @@
 typedef struct lam_factor lam_factor;
 
 typedef struct lam_factor_stats {
-  double flops;       /* of one factorisation */
+  double flops;       /* of one factorization */
   double entries;     /* of the factor */
   long factorized, solved;
 } lam_factor_stats;
 
-/* Analyses the pattern under the given order: order[k] is the unknown eliminated k-th. Closed with the arena. n > 0. */
+/* Analyzes the pattern under the given order: order[k] is the unknown eliminated k-th. Closed with the arena. n > 0. */
 lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start, const int *row, const int *order);
-/* Factorises values (on the analysed pattern). False: not positive definite. */
+/* Factorizes values (on the analyzed pattern). False: not positive definite. */
 bool lam_factor_refactor(lam_factor *factor, const double *values);
 /* Solves A x = b; x and b may be the same array. Precondition: the last refactor succeeded. */
 void lam_factor_solve(lam_factor *factor, const double *b, double *x);

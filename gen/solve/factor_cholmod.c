@@ -107,6 +107,6 @@ const char *lam_blas_better_kernel(void) {
 
 const char *lam_blas_advice(void) {
   return lam_blas_better_kernel()
-             ? "this OpenBLAS does not recognise the processor: set OPENBLAS_CORETYPE=Haswell for twice the speed"
+             ? "this OpenBLAS does not recognize the processor: set OPENBLAS_CORETYPE=Haswell for twice the speed"
              : NULL;
 }

@@ -102,7 +102,7 @@ const lam_surface_kind lam_surface_constant_ratio = {
          .doc = "A waisted tower whose two principal curvatures have the same ratio everywhere, so that its asymptotic "
                 "lines cross at the same angle everywhere: straight lamellas with one and the same skew joint. A sharp "
                 "angle makes a flared, nearly flat rim; a blunt one makes a slender, slowly opening stem. Other shapes "
-                "with this property have no formula: they come from optimisation, and this one is a good start for it.",
+                "with this property have no formula: they come from optimization, and this one is a good start for it.",
          .equation = "sin psi = r^-a, a = cot^2(angle/2): r = cosh(a v)^(1/a), dz/dv = r^(1-a)",
          .source = "thesis 3.2.4; Jimenez, Mueller, Pottmann, Discretizations of surfaces with constant ratio of "
                    "principal curvatures, 2020",

@@ -43,11 +43,11 @@ static inline void lam_jet_revolve(lam_meridian m, double u, lam_jet *jet) {
   jet->vv = lam_v3(m.ddr * c, m.ddr * s, m.ddz);
 }
 
-/* Names of the units in which control points may be listed, and their size in metres. */
+/* Names of the units in which control points may be listed, and their size in meters. */
 static const char *const lam_point_units[] = {"m", "cm", "mm", NULL};
 static inline double lam_point_unit(int choice) {
-  static const double metres[] = {1, 0.01, 0.001};
-  return metres[choice];
+  static const double meters[] = {1, 0.01, 0.001};
+  return meters[choice];
 }
 
 #endif

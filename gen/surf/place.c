@@ -29,7 +29,7 @@ const lam_key lam_surface_place_keys[] = {
      .given_offset = AT(size_given),
      .doc =
          "The larger of the net's extents along x and y, after the rotation: everything is scaled to it. Left out: the "
-         "surface keeps its own units, taken as metres."},
+         "surface keeps its own units, taken as meters."},
     {.name = "rotate",
      .type = LAM_KEY_NUMBER,
      .unit = LAM_UNIT_ANGLE,

@@ -8,7 +8,7 @@
 typedef struct lam_surface_place {
   double u[2], v[2]; /* ranges of the chart that the net uses; meaningful when given */
   bool u_given, v_given;
-  double size; /* largest horizontal extent after rotation, metres; meaningful when given */
+  double size; /* largest horizontal extent after rotation, meters; meaningful when given */
   bool size_given;
   double rotate[3]; /* about the x, y and z axis, in this order, radians */
   bool ground;      /* the lowest point is moved to z = 0 */

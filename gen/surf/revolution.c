@@ -1,5 +1,5 @@
 /* A surface of revolution about the z axis: x = (r(v) cos u, r(v) sin u, z(v)), where the profile (r, z) is a cubic
- * spline through given points, parameterised by chord length and run from v = 0 to v = 1. */
+ * spline through given points, parameterized by chord length and run from v = 0 to v = 1. */
 #include "curve/spline.h"
 #include "surf/kind.h"
 

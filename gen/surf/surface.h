@@ -12,7 +12,7 @@ typedef struct lam_jet {
   lam_vec3 x, u, v, uu, uv, vv;
 } lam_jet;
 
-/* Parameterisations that a net may ask a surface for. NATURAL is the surface's own (u,v). In the others the parameter
+/* Parameterizations that a net may ask a surface for. NATURAL is the surface's own (u,v). In the others the parameter
  * lines have the named property; DIAGONAL are the diagonals of an isothermic principal grid (a = (p+q)/2, b = (p-q)/2 in
  * isothermic coordinates: lines of equal normal curvature on CMC surfaces). */
 typedef enum lam_chart { LAM_CHART_NATURAL, LAM_CHART_ASYMPTOTIC, LAM_CHART_PRINCIPAL, LAM_CHART_DIAGONAL, LAM_CHART_COUNT } lam_chart;
@@ -25,7 +25,7 @@ typedef struct lam_surface_kind {
   /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance data". Adds to
    * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL. */
   const void *(*prepare)(lam_arena *arena, const void *params, lam_place place, lam_errors *errors);
-  /* The jet at (u,v) of the natural parameterisation. data is what prepare returned, or params without prepare. Pure. */
+  /* The jet at (u,v) of the natural parameterization. data is what prepare returned, or params without prepare. Pure. */
   void (*eval)(const void *data, double u, double v, lam_jet *jet);
   /* The default domain of the chart and whether it closes up in p and q; false: the surface has no such chart. */
   bool (*domain)(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]);
@@ -46,7 +46,7 @@ extern const lam_registry lam_surfaces;
 
 /* The surface of a parsed row. Errors are added to errors; kind == NULL in the result then. */
 lam_surface lam_surface_make(lam_arena *arena, const lam_row *row, lam_errors *errors);
-/* The jet in the natural parameterisation. */
+/* The jet in the natural parameterization. */
 static inline void lam_surface_eval(const lam_surface *surface, double u, double v, lam_jet *jet) {
   surface->kind->eval(surface->data, u, v, jet);
 }

@@ -1,5 +1,5 @@
 // Lamellas: strips of sheet that stand on a net and cross in half-lap slots. Functions only: pull it in with
-// use <lamella.scad>. Millimetres and degrees.
+// use <lamella.scad>. Millimeters and degrees.
 //
 // A record is [name, family, stations]. A station is a cross-section of the strip:
 //   [x, y, z,  tx, ty, tz,  mx, my, mz,  s, partner, slot_angle, slot_low, slot_high]

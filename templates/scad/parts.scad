@@ -1,5 +1,5 @@
 // Parts: choosing, joining, placing and showing them. Functions and modules only: pull it in with use <parts.scad>.
-// Millimetres. A solid is [points, faces]: triangles, clockwise seen from outside. A record is [name, family, ...]; the
+// Millimeters. A solid is [points, faces]: triangles, clockwise seen from outside. A record is [name, family, ...]; the
 // family is 0 (A), 1 (B) or -1 (none).
 
 // The records that a choice shows: "one part", "one outline" and "one engraving" the one called part, "family A",

@@ -32,7 +32,7 @@ complains() { [[ $status -eq 2 ]] && grep -qE -- "$1" err; }
 
 vertices() { printf 'v %s\n' "$1 $2 $3" "$4 $2 $3" "$1 $5 $3" "$4 $5 $3" "$1 $2 $6" "$4 $2 $6" "$1 $5 $6" "$4 $5 $6"; }
 faces='f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n'
-# box FROM TO: an OBJ box, in metres
+# box FROM TO: an OBJ box, in meters
 box() { vertices "$@"; printf "$faces"; }
 box 0 0 0 .1 .1 .1 >box.obj
 box 0 0 0 .1 .1 .10004 >near.obj
@@ -74,7 +74,7 @@ endsolid
 END
 printf 'v 0 0 0\nv .01 0 0\nv 0 .01 0\nv 0 0 .01\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >tetra.obj
 run diff --tolerance 1e-9 tetra.stl tetra.obj
-ok "STL in millimetres and OBJ in metres are the same" says 0 '^the same$'
+ok "STL in millimeters and OBJ in meters are the same" says 0 '^the same$'
 run diff --json box.obj far.obj
 if command -v python3 >/dev/null; then
   ok "JSON says what differs, in SI units" python3 -c '

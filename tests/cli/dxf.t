@@ -101,7 +101,7 @@ for path, (document, lines) in drawings.items():
     header = document.header
     if (document.dxfversion, header["$INSUNITS"], header["$MEASUREMENT"]) != ("AC1009", 4, 1):
         wrong.append(f"{path}: {document.dxfversion}, units {header['$INSUNITS']}, {header['$MEASUREMENT']}")
-check("release 12, millimetres, metric", wrong)
+check("release 12, millimeters, metric", wrong)
 
 wrong = []
 for path, (document, lines) in drawings.items():

@@ -31,7 +31,7 @@ complains() { [[ $status -eq 2 && ! -s out ]] && grep -qE -- "$1" err; }
 
 vertices() { printf 'v %s\n' "$1 $2 $3" "$4 $2 $3" "$1 $5 $3" "$4 $5 $3" "$1 $2 $6" "$4 $2 $6" "$1 $5 $6" "$4 $5 $6"; }
 faces='f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n'
-# box FROM TO: an OBJ box, in metres
+# box FROM TO: an OBJ box, in meters
 box() { vertices "$@"; printf "$faces"; }
 box 0 0 0 2 3 4 >box.obj
 { box 0 0 0 1 1 1; box 3 0 0 4 1 1; } >two.obj
@@ -54,7 +54,7 @@ ok "its area is 52" says 0 '^area +52 m\^2'
 ok "its Euler number is 2" says 0 '^Euler number +2$'
 ok "its inertia is V (b^2 + c^2) / 12" says 0 '^inertia +xx 50, yy 40, zz 26,'
 run inspect tetra.stl
-ok "an STL file is read in millimetres" says 0 '^volume +166\.66666[67][0-9]* mm\^3'
+ok "an STL file is read in millimeters" says 0 '^volume +166\.66666[67][0-9]* mm\^3'
 run inspect two.obj
 ok "two boxes are two components" says 0 '^components +2$'
 run inspect crossing.obj

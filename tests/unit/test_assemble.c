@@ -1,4 +1,4 @@
-/* Normal equations and their factorisation, against plain dense arithmetic. */
+/* Normal equations and their factorization, against plain dense arithmetic. */
 #include "solve/guided.h"
 #include "solve_fixture.h"
 
@@ -211,7 +211,7 @@ static void solving_equals_elimination(void **state) {
 }
 
 /* A chain of n unknowns with diagonal d and neighbors -1: definite for d > 2, indefinite for d < 2 cos(pi / (n + 1)). Small ones are
- * factorised column by column, large dense ones in blocks: both must notice. */
+ * factorized column by column, large dense ones in blocks: both must notice. */
 static bool chain_is_definite(net_fixture *f, int n, int band, double d) {
   int *start = LAM_NEW(f->arena, int, n + 1), *row = LAM_NEW(f->arena, int, n * (band + 1)), *order = LAM_NEW(f->arena, int, n);
   double *values = LAM_NEW(f->arena, double, n * (band + 1)), *b = LAM_NEW(f->arena, double, n);

@@ -225,7 +225,7 @@ static void expect_bad(run *r, const char *yaml, const char *expected) {
 
 /* ---- values ---- */
 
-/* A design number is the double nearest to the decimal number in metres. */
+/* A design number is the double nearest to the decimal number in meters. */
 static void lengths_are_stored_in_metres(void **state) {
   ASSERT_EXACT(read_good(*state, "height: 25 mm").height, 0.025);
   ASSERT_EXACT(read_good(*state, "height: 1.5mm").height, 0.0015);
@@ -368,9 +368,9 @@ static void lists_state_both_lengths(void **state) {
 
 static void all_messages_come_at_once(void **state) {
   expect_bad(
-      *state, "floors: 0\ncolour: red\nstacks:\n  - {layers: 1}\n  - {widths: [1 m, x]}\nfloors: 2\n",
+      *state, "floors: 0\ncolr: red\nstacks:\n  - {layers: 1}\n  - {widths: [1 m, x]}\nfloors: 2\n",
       "1:9: floors: given 0; expected from 1 to 9\n"
-      "2:1: colour: no such key; expected one of height, angle, ratio, floors, cells, roof, flags, color, owner, "
+      "2:1: colr: no such key; expected one of height, angle, ratio, floors, cells, roof, flags, color, owner, "
       "corner, weights, names, numbers, joint, stacks, beam, beams (did you mean color?)\n"
       "4:5: stacks[0].widths: missing; expected a list of 2 lengths in m, cm, mm or um\n"
       "5:20: stacks[1].widths[1]: given x; expected a length in m, cm, mm or um\n"

@@ -63,7 +63,7 @@ static const char *written(lam_arena *arena, int file) {
 
 #define CONTAINS(text, part) assert_non_null(strstr((text), (part)))
 
-/* Lengths are in millimetres with the decimals of their column; other numbers are as they are. */
+/* Lengths are in millimeters with the decimals of their column; other numbers are as they are. */
 static void records_are_in_millimetres(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
