@@ -22,7 +22,7 @@ includes := -Igen -I. -isystem /usr/include/suitesparse
 CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -ffp-contract=off $(opt) $(warn) $(includes) -DLAM_VERSION='"$(VERSION)"' -MMD -MP $(CFLAGS)
 # CGAL's exact predicates switch the rounding mode
 CXXFLAGS_ = -std=c++17 -fPIC -O2 -frounding-math $(warn) $(includes) -MMD -MP $(CXXFLAGS)
-libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lstdc++ -lm
+libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lgomp -lstdc++ -lm
 
 # Debian packages: to build; for pictures and OpenSCAD; for the tests
 packages_build := gcc g++ libc6-dev libsuitesparse-dev libopenblas-dev libcgal-dev libtinygltf-dev \

@@ -54,9 +54,9 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
   json_decref(root);
   if (!text) return LAM_FAILED;
+  lam_arena_defer(out->arena, free, text); /* also when adding to out runs out of memory */
   lam_text_add(out, text);
   lam_text_add(out, "\n");
-  free(text);
   return LAM_OK;
 }
 

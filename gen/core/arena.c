@@ -79,20 +79,27 @@ void lam_arena_exhausted(lam_arena *arena) {
   abort();
 }
 
-void *lam_arena_alloc(lam_arena *arena, size_t count, size_t size) {
-  if (size && count > (SIZE_MAX - sizeof(block) - alignment) / size) lam_arena_exhausted(arena);
+/* NULL when memory runs out. */
+static void *try_alloc(lam_arena *arena, size_t count, size_t size) {
+  if (size && count > (SIZE_MAX - sizeof(block) - alignment) / size) return NULL;
   size_t wanted = (count * size + alignment - 1) / alignment * alignment;
   block *b = arena->last;
   if (!b || b->size - b->used < wanted) {
     size_t capacity = wanted > block_size / 4 ? wanted : block_size;
     b = take(sizeof *b + capacity);
-    if (!b) lam_arena_exhausted(arena);
+    if (!b) return NULL;
     *b = (block){.previous = arena->last, .size = capacity};
     arena->last = b;
   }
   void *bytes = b->bytes + b->used;
   b->used += wanted;
   return memset(bytes, 0, wanted);
+}
+
+void *lam_arena_alloc(lam_arena *arena, size_t count, size_t size) {
+  void *bytes = try_alloc(arena, count, size);
+  if (!bytes) lam_arena_exhausted(arena);
+  return bytes;
 }
 
 char *lam_arena_copy(lam_arena *arena, const char *text) {
@@ -115,7 +122,11 @@ char *lam_arena_printf(lam_arena *arena, const char *format, ...) {
 }
 
 void lam_arena_defer(lam_arena *arena, void (*close)(void *handle), void *handle) {
-  closer *c = LAM_NEW(arena, closer, 1);
+  closer *c = try_alloc(arena, 1, sizeof *c);
+  if (!c) { /* nobody else will close it */
+    if (handle) close(handle);
+    lam_arena_exhausted(arena);
+  }
   *c = (closer){arena->closers, close, handle};
   arena->closers = c;
 }

@@ -13,7 +13,11 @@ typedef struct block_map {
   int columns;      /* unknowns of an element */
   int *slot;        /* per element and pair a >= b of its nodes: before(I, J), or -1 when either is fixed */
   double *constant; /* linear blocks: J'J of the whole block at weight 1; NULL otherwise */
+  int members;      /* blocks from this one on that share their elements and are scattered together; 0: in an earlier one's group */
+  int rows;         /* residuals of an element in the whole group */
 } block_map;
+
+enum { largest_node = 8 }; /* unknowns */
 
 struct lam_system {
   const lam_problem *problem;
@@ -141,15 +145,35 @@ static void find_columns(lam_arena *arena, lam_system *system, const pattern *p,
   }
 }
 
+static bool same_elements(const lam_block *a, const lam_block *b) {
+  return !a->linear && !b->linear && a->count == b->count && a->arity == b->arity &&
+         memcmp(a->nodes, b->nodes, sizeof(int) * (size_t)a->count * (size_t)a->arity) == 0;
+}
+
+/* Consecutive blocks on the same elements are evaluated and scattered as one. */
+static void find_groups(lam_system *system) {
+  const lam_problem *problem = system->problem;
+  for (int b = 0; b < problem->block_count;) {
+    block_map *map = &system->maps[b];
+    do {
+      map->rows += problem->blocks[b + map->members].rows;
+      map->members++;
+    } while (b + map->members < problem->block_count &&
+             same_elements(&problem->blocks[b], &problem->blocks[b + map->members]));
+    b += map->members;
+  }
+}
+
 static void find_map(lam_arena *arena, lam_system *system, const pattern *p, const int *prefix, int b) {
   const lam_problem *problem = system->problem;
   const lam_block *block = &problem->blocks[b];
   block_map *map = &system->maps[b];
   int pairs = block->arity * (block->arity + 1) / 2;
+  if (map->members == 0) return;
   map->slot = LAM_NEW(arena, int, (size_t)block->count * (size_t)pairs);
   for (int i = 0; i < block->arity; i++) map->columns += problem->size[block->nodes[i]];
   if (map->columns > system->most_columns) system->most_columns = map->columns;
-  if (block->rows > system->most_rows) system->most_rows = block->rows;
+  if (map->rows > system->most_rows) system->most_rows = map->rows;
   int *slot = map->slot;
   for (int e = 0; e < block->count; e++) {
     const int *nodes = block->nodes + (size_t)e * (size_t)block->arity;
@@ -162,13 +186,34 @@ static void find_map(lam_arena *arena, lam_system *system, const pattern *p, con
   }
 }
 
-/* Adds scale * J'J of one element. */
-static void scatter(const lam_system *system, const lam_block *block, const block_map *map, int element, double scale,
+/* block[3 c + r] = sum_k J[k][row_at + r] J[k][column_at + c]: nearly all nodes are vertices. */
+static void product_3x3(int rows, int n, const double *J, int row_at, int column_at, double block[9]) {
+  for (int i = 0; i < 9; i++) block[i] = 0;
+  for (int k = 0; k < rows; k++) {
+    const double *a = J + k * n + row_at, *b = J + k * n + column_at;
+    for (int c = 0; c < 3; c++)
+      for (int r = 0; r < 3; r++) block[3 * c + r] += a[r] * b[c];
+  }
+}
+
+/* The block of a pair of nodes, any sizes: block[row_size c + r]. */
+static void product(int rows, int n, const double *J, int row_at, int row_size, int column_at, int column_size,
+                    double *block) {
+  for (int c = 0; c < column_size; c++)
+    for (int r = 0; r < row_size; r++) {
+      double sum = 0;
+      for (int k = 0; k < rows; k++) sum += J[k * n + row_at + r] * J[k * n + column_at + c];
+      block[c * row_size + r] = sum;
+    }
+}
+
+/* Adds J'J of one element to values. */
+static void scatter(const lam_system *system, const lam_block *block, const block_map *map, int element,
                     const double *J, double *values) {
   const lam_problem *problem = system->problem;
   const int *nodes = block->nodes + (size_t)element * (size_t)block->arity;
   const int *slot = map->slot + (size_t)element * (size_t)(block->arity * (block->arity + 1) / 2);
-  int n = map->columns, rows = block->rows;
+  double entries[largest_node * largest_node];
   for (int i = 0, at_i = 0; i < block->arity; at_i += problem->size[nodes[i]], i++)
     for (int j = 0, at_j = 0; j <= i; at_j += problem->size[nodes[j]], j++, slot++) {
       if (*slot < 0) continue;
@@ -176,17 +221,20 @@ static void scatter(const lam_system *system, const lam_block *block, const bloc
       int column_node = swap ? nodes[i] : nodes[j], row_node = swap ? nodes[j] : nodes[i];
       int column_at = swap ? at_i : at_j, row_at = swap ? at_j : at_i;
       int column_size = problem->size[column_node], row_size = problem->size[row_node];
-      int first = system->column_of_node[column_node];
-      bool same = row_node == column_node, diagonal = i == j;
-      for (int c = 0; c < column_size; c++) {
-        double *entry = values + system->column_start[first + c] + (same ? -c : column_size - c + *slot);
-        for (int r = same ? c : 0; r < row_size; r++) {
-          double sum = 0;
-          for (int k = 0; k < rows; k++) sum += J[k * n + row_at + r] * J[k * n + column_at + c];
-          if (same && !diagonal) /* a node that an element lists twice */
-            for (int k = 0; k < rows; k++) sum += J[k * n + row_at + c] * J[k * n + column_at + r];
-          entry[r] += scale * sum;
+      const int *start = system->column_start + system->column_of_node[column_node];
+      if (column_size == 3 && row_size == 3)
+        product_3x3(map->rows, map->columns, J, row_at, column_at, entries);
+      else
+        product(map->rows, map->columns, J, row_at, row_size, column_at, column_size, entries);
+      if (row_node != column_node) {
+        for (int c = 0; c < column_size; c++) {
+          double *to = values + start[c] + column_size - c + *slot;
+          for (int r = 0; r < row_size; r++) to[r] += entries[c * row_size + r];
         }
+      } else { /* the lower triangle; a node that an element lists twice brings its transpose too */
+        for (int c = 0; c < column_size; c++)
+          for (int r = c; r < row_size; r++)
+            values[start[c] + r - c] += entries[c * row_size + r] + (i == j ? 0 : entries[r * row_size + c]);
       }
     }
 }
@@ -222,6 +270,7 @@ lam_system *lam_system_new(lam_arena *arena, const lam_problem *problem) {
   find_columns(arena, system, &p, prefix);
   find_order(arena, system, &p);
   system->maps = LAM_NEW(arena, block_map, problem->block_count);
+  find_groups(system);
   for (int b = 0; b < problem->block_count; b++) find_map(arena, system, &p, prefix, b);
   system->local = LAM_NEW(arena, double, system->most_columns + system->most_rows * (1 + system->most_columns));
   for (int b = 0; b < problem->block_count; b++) {
@@ -233,7 +282,7 @@ lam_system *lam_system_new(lam_arena *arena, const lam_problem *problem) {
     for (int e = 0; e < block->count; e++) {
       gather(problem, block, e, problem->x, x);
       block->kernel(map->columns, x, params_of(block, e), r, J);
-      scatter(system, block, map, e, 1, J, map->constant);
+      scatter(system, block, map, e, J, map->constant);
     }
   }
   return system;
@@ -249,41 +298,61 @@ static double role_weight(lam_weights weights, lam_role role) {
   return role == LAM_HARD ? weights.hard : role == LAM_SOFT ? weights.soft : weights.fairness;
 }
 
+/* Adds J'r of one element to the gradient. */
+static void add_gradient(const lam_system *system, const lam_block *block, const block_map *map, int element,
+                         const double *J, const double *r, double *gradient) {
+  const lam_problem *problem = system->problem;
+  const int *nodes = block->nodes + (size_t)element * (size_t)block->arity;
+  for (int i = 0, at = 0; i < block->arity; at += problem->size[nodes[i]], i++) {
+    int column = system->column_of_node[nodes[i]], size = problem->size[nodes[i]];
+    if (column < 0) continue;
+    for (int c = 0; c < size; c++)
+      for (int k = 0; k < map->rows; k++) gradient[column + c] += J[k * map->columns + at + c] * r[k];
+  }
+}
+
+/* Counts the residuals of one block's element, and weights them and their Jacobian. */
+static void weigh(const lam_block *block, double weight, int columns, double *r, double *J, lam_residual *sum, long *hard) {
+  for (int k = 0; k < block->rows; k++) {
+    double size = fabs(r[k]);
+    if (block->role == LAM_HARD) {
+      ++*hard;
+      sum->rms += size * size;
+      if (!(size <= sum->max)) {
+        sum->max = size;
+        sum->worst = block->name;
+      }
+    }
+    r[k] *= weight;
+    sum->energy += .5 * r[k] * r[k];
+  }
+  for (int i = 0; J && weight != 1 && i < block->rows * columns; i++) J[i] *= weight;
+}
+
 /* Residuals of all blocks; with values and gradient, the normal equations too. */
 static lam_residual pass(lam_system *system, const double *x, lam_weights weights, double *values, double *gradient) {
   const lam_problem *problem = system->problem;
   lam_residual result = {0, 0, 0, NULL};
   double *local = system->local, *r = local + system->most_columns, *J = r + system->most_rows;
   long hard_count = 0;
-  for (int b = 0; b < problem->block_count; b++) {
+  for (int b = 0; b < problem->block_count; b += system->maps[b].members) {
     const lam_block *block = &problem->blocks[b];
     const block_map *map = &system->maps[b];
-    double weight = block->weight * role_weight(weights, block->role), scale = weight * weight;
-    if (scale == 0 && block->role != LAM_HARD) continue;
+    double weight = block->weight * role_weight(weights, block->role);
+    if (weight == 0 && block->role != LAM_HARD && map->members == 1) continue;
     if (values && map->constant)
-      for (int k = 0, n = entry_count(system); k < n; k++) values[k] += scale * map->constant[k];
+      for (int k = 0, n = entry_count(system); k < n; k++) values[k] += weight * weight * map->constant[k];
     for (int e = 0; e < block->count; e++) {
       gather(problem, block, e, x, local);
-      block->kernel(map->columns, local, params_of(block, e), r, values ? J : NULL);
-      for (int k = 0; k < block->rows; k++) {
-        result.energy += .5 * scale * r[k] * r[k];
-        if (block->role != LAM_HARD) continue;
-        hard_count++;
-        result.rms += r[k] * r[k];
-        if (!(fabs(r[k]) <= result.max)) {
-          result.max = fabs(r[k]);
-          result.worst = block->name;
-        }
+      for (int m = 0, row = 0; m < map->members; row += block[m].rows, m++) {
+        double *rows = values ? J + row * map->columns : NULL;
+        block[m].kernel(map->columns, local, params_of(&block[m], e), r + row, rows);
+        weigh(&block[m], block[m].weight * role_weight(weights, block[m].role), map->columns, r + row, rows, &result,
+              &hard_count);
       }
       if (!values) continue;
-      const int *nodes = block->nodes + (size_t)e * (size_t)block->arity;
-      for (int i = 0, at = 0; i < block->arity; i++) {
-        int column = system->column_of_node[nodes[i]], size = problem->size[nodes[i]];
-        for (int c = 0; c < size && column >= 0; c++)
-          for (int k = 0; k < block->rows; k++) gradient[column + c] += scale * J[k * map->columns + at + c] * r[k];
-        at += size;
-      }
-      if (!map->constant) scatter(system, block, map, e, scale, J, values);
+      add_gradient(system, block, map, e, J, r, gradient);
+      if (!map->constant) scatter(system, block, map, e, J, values);
     }
   }
   if (hard_count) result.rms = sqrt(result.rms / (double)hard_count);

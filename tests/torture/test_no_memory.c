@@ -22,7 +22,7 @@ static const char design_text[] = "lamella: 1\nname: small\nsurface: {kind: enne
                                   "net: {kind: asymptotic, grid: [4, 4], orthogonal: yes}\n"
                                   "parts:\n  - {kind: lamella, height: 60 mm, thickness: 1 mm}\n"
                                   "sheets: {stock: [3 m, 1.5 m], kerf: 0.2 mm}\n";
-static const char near_text[] = "lamella: 1\nname: near\nsurface: {kind: enneper, size: 4 m}\n"
+static const char near_text[] = "lamella: 1\nname: near\nsurface: {kind: enneper, u: [-0.3, 0.3], v: [-0.3, 0.3], size: 4 m}\n"
                                 "net: {kind: free, grid: [4, 4], reference: {file: reference.obj}}\n";
 static const char obj_text[] = "# a saddle\nv -3 -3 -2\nv 3 -3 2\nv 3 3 -2\nv -3 3 2\nf 1 2 3 4\n";
 static const char stl_text[] = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
@@ -156,8 +156,40 @@ static void complaining_survives(void **state) {
   exhaust(complain, 300, 1);
 }
 
+static int opened, closed;
+
+static void count_closed(void *handle) {
+  (void)handle;
+  closed++;
+}
+
+static void defer_until_it_fails(lam_arena *arena) {
+  if (!LAM_ARENA_TRY(arena)) return;
+  for (;;) {
+    opened++;
+    lam_arena_defer(arena, count_closed, arena);
+  }
+}
+
+/* What is handed over is closed exactly once, even when there is no memory left to remember it. */
+static void what_is_deferred_is_closed(void **state) {
+  (void)state;
+  for (long n = 1; n < 4; n++) {
+    opened = closed = 0;
+    lam_alloc_fail_after(n);
+    lam_arena *arena = lam_arena_new();
+    assert_non_null(arena);
+    defer_until_it_fails(arena);
+    lam_arena_free(arena);
+    lam_alloc_fail_after(-1);
+    assert_int_equal(closed, opened);
+    assert_true(opened > 1000 * (n - 1));
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(what_is_deferred_is_closed),
       cmocka_unit_test(a_design_survives),
       cmocka_unit_test(a_net_near_a_reference_survives),
       cmocka_unit_test(reading_meshes_survives),
