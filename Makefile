@@ -41,6 +41,9 @@ tests   := $(patsubst tests/%.c,$(out)/tests/%,$(wildcard tests/unit/test_*.c) $
 designs := $(patsubst templates/designs/%.yaml,%,$(wildcard templates/designs/*.yaml))
 gallery := $(designs:%=renders/gallery/%.jpg)
 
+# as many jobs as processors, unless make was told
+jobs := $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
+
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:
@@ -97,10 +100,10 @@ build/models/%/report.json: templates/designs/%.yaml build/lamella
 -include $(designs:%=build/models/%.d)
 
 demo: setup-demo
-	@$(MAKE) --no-print-directory build/demo/report.json
+	@$(MAKE) --no-print-directory $(jobs) build/demo/report.json
 	@cat build/demo.txt
-	@echo; echo "files in build/demo:"; cd build/demo && find . -type f | sort | sed 's|^\./|  |' | head -40; \
-	 n=$$(find . -type f | wc -l); [ $$n -le 40 ] || echo "  ... $$n in all"
+	@echo; echo "files in build/demo:"; cd build/demo && ls -p | grep -v / | sed 's|^|  |'; \
+	 for d in parts sheets; do echo "  $$d/: $$(ls $$d | wc -l) files, $$(ls $$d | head -n 1) ..."; done
 build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
 	@mkdir -p build/demo
 	build/lamella build $< -o build/demo --deps build/demo.d --set render.quality=middle >build/demo.txt || { cat build/demo.txt; exit 1; }
@@ -108,7 +111,7 @@ build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
 
 # ---- pictures for the README; minutes each ----
 renders: setup-pics
-	@$(MAKE) --no-print-directory $(gallery)
+	@$(MAKE) --no-print-directory $(jobs) $(gallery)
 renders/gallery/%.jpg: build/models/%/report.json
 	@echo "  render $*"
 	@mkdir -p $(@D)
@@ -117,12 +120,12 @@ renders/gallery/%.jpg: build/models/%/report.json
 
 # ---- tests ----
 check: setup-check
-	@$(MAKE) --no-print-directory all $(tests)
+	@$(MAKE) --no-print-directory $(jobs) all $(tests)
 	@LAMELLA=$(abspath $(out)/lamella) LAM_TESTS=$(out)/tests tests/run
 accept: all
 	@LAMELLA=$(abspath $(out)/lamella) LAM_ACCEPT=1 tests/golden/golden.t
 bench: setup-build
-	@$(MAKE) --no-print-directory build/lamella
+	@$(MAKE) --no-print-directory $(jobs) build/lamella
 	@build/lamella bench tests/cases/nets
 layers:
 	@tests/layers

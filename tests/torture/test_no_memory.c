@@ -1,8 +1,10 @@
-/* Memory that runs out at every possible place: of a complete small design (parsing, surface, net, lamellas, sheets, every writer) and of
- * reading meshes. Each time control comes back to the recovery point, everything is given back, and the next run works.
+/* Memory that runs out at every possible place: of a complete small design (parsing, surface, net, lamellas, sheets,
+ * every writer) and of reading meshes. Each time control comes back to the recovery point, everything is given back,
+ * and the next run works.
  *
- * Allocations of an arena come out of blocks, so a failing block stands for any of the allocations that fill the one before. To hit
- * others than the few at the end of a block, part of the first block is used up beforehand, by another amount each time. */
+ * Allocations of an arena come out of blocks, so a failing block stands for any of the allocations that fill the one
+ * before. To hit others than the few at the end of a block, part of the first block is used up beforehand, by another
+ * amount each time. */
 #include "design/build.h"
 #include "design/design.h"
 #include "formats/format.h"
@@ -22,21 +24,24 @@ static const char design_text[] = "lamella: 1\nname: small\nsurface: {kind: enne
                                   "net: {kind: asymptotic, grid: [4, 4], orthogonal: yes}\n"
                                   "parts:\n  - {kind: lamella, height: 60 mm, thickness: 1 mm}\n"
                                   "sheets: {stock: [3 m, 1.5 m], kerf: 0.2 mm}\n";
-static const char near_text[] = "lamella: 1\nname: near\nsurface: {kind: enneper, u: [-0.3, 0.3], v: [-0.3, 0.3], size: 4 m}\n"
-                                "net: {kind: free, grid: [4, 4], reference: {file: reference.obj}}\n";
+static const char near_text[] =
+    "lamella: 1\nname: near\nsurface: {kind: enneper, u: [-0.3, 0.3], v: [-0.3, 0.3], size: 4 m}\n"
+    "net: {kind: free, grid: [4, 4], reference: {file: reference.obj}}\n";
 static const char obj_text[] = "# a saddle\nv -3 -3 -2\nv 3 -3 2\nv 3 3 -2\nv -3 3 2\nf 1 2 3 4\n";
-static const char stl_text[] = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
-                               "endfacet\nendsolid s\n";
+static const char stl_text[] =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid s\n";
 
-static bool load(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors, lam_trimesh *mesh) {
+static bool load(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors,
+                 lam_trimesh *mesh) {
   (void)context;
   return lam_format_for(path)->read_triangles(arena, obj_text, strlen(obj_text), place, errors, mesh);
 }
 
 enum { said_so = 1 };
 
-/* A design from text to files; returns the bytes that it makes. Checks of the parts have memory of their own: when that runs out, the
- * build goes on, and the report must say that a stage has not succeeded. */
+/* A design from text to files; returns the bytes that it makes. Checks of the parts have memory of their own: when that
+ * runs out, the build goes on, and the report must say that a stage has not succeeded. */
 static size_t make(lam_arena *arena, lam_errors *errors, const char *text) {
   lam_design design;
   lam_model model;
@@ -68,14 +73,17 @@ static size_t read_meshes(lam_arena *arena, lam_errors *errors) {
   const lam_format *obj = lam_format_for("a.obj"), *stl = lam_format_for("a.stl");
   size_t read = 0;
   if (obj->read_mesh(arena, obj_text, strlen(obj_text), place, errors, &quads)) read += (size_t)quads.vertex_count;
-  if (obj->read_triangles(arena, obj_text, strlen(obj_text), place, errors, &triangles)) read += (size_t)triangles.triangle_count;
-  if (stl->read_triangles(arena, stl_text, strlen(stl_text), place, errors, &triangles)) read += (size_t)triangles.triangle_count;
+  if (obj->read_triangles(arena, obj_text, strlen(obj_text), place, errors, &triangles))
+    read += (size_t)triangles.triangle_count;
+  if (stl->read_triangles(arena, stl_text, strlen(stl_text), place, errors, &triangles))
+    read += (size_t)triangles.triangle_count;
   return read;
 }
 
 /* What goes wrong on purpose: messages take memory too. */
 static size_t complain(lam_arena *arena, lam_errors *errors) {
-  static const char wrong[] = "lamella: 1\nname: wrong\nsurfaces: {kind: enneper}\nnet: {kind: asymptotik, grid: [1]}\nsheets: 7\n";
+  static const char wrong[] =
+      "lamella: 1\nname: wrong\nsurfaces: {kind: enneper}\nnet: {kind: asymptotik, grid: [1]}\nsheets: 7\n";
   lam_design design;
   if (lam_design_parse(arena, wrong, strlen(wrong), "wrong.yaml", NULL, 0, errors, &design)) return 0;
   size_t bytes = 0;
@@ -86,8 +94,8 @@ static size_t complain(lam_arena *arena, lam_errors *errors) {
 
 typedef size_t (*task)(lam_arena *arena, lam_errors *errors);
 
-/* One run in which allocation number `failing` fails and `used` bytes of the first block are gone beforehand. Returns the bytes made, 0
- * when memory ran out. */
+/* One run in which allocation number `failing` fails and `used` bytes of the first block are gone beforehand. Returns
+ * the bytes made, 0 when memory ran out. */
 static size_t run(task work, long failing, size_t used) {
   lam_alloc_fail_after(failing);
   lam_arena *arena = lam_arena_new();
@@ -105,8 +113,8 @@ static size_t run(task work, long failing, size_t used) {
   return made;
 }
 
-/* Fails allocations with the first block used up to different degrees, from `first` to `last` of `steps`. Every step takes each
- * stride-th allocation, another one than the step before. Returns the number of failures. */
+/* Fails allocations with the first block used up to different degrees, from `first` to `last` of `steps`. Every step
+ * takes each stride-th allocation, another one than the step before. Returns the number of failures. */
 static long fail_everywhere(task work, int first, int last, int steps, int stride, size_t expected) {
   long failures = 0;
   for (int step = first; step < last; step++) {
@@ -116,15 +124,16 @@ static long fail_everywhere(task work, int first, int last, int steps, int strid
       bool failed = lam_alloc_fail_after(-1) > n; /* the allocation that was to fail has come */
       if (!failed && made != expected) fail_msg("%zu bytes instead of %zu after failures", made, expected);
       if (failed && made && made != expected && made != said_so)
-        fail_msg("allocation %ld, %zu bytes used: %zu bytes instead of %zu, and nobody says so", n, used, made, expected);
+        fail_msg("allocation %ld, %zu bytes used: %zu bytes instead of %zu, and nobody says so", n, used, made,
+                 expected);
       if (!failed) break;
     }
   }
   return failures;
 }
 
-/* Libraries and the allocator keep something of the first times: in the second half of the steps, the memory in use grows by no more
- * than a page and a few bytes per failure. (A leak sanitizer sees the rest.) */
+/* Libraries and the allocator keep something of the first times: in the second half of the steps, the memory in use
+ * grows by no more than a page and a few bytes per failure. (A leak sanitizer sees the rest.) */
 static void exhaust(task work, int steps, int stride) {
   size_t expected = run(work, -1, 0);
   assert_true(expected > said_so);
@@ -133,7 +142,8 @@ static void exhaust(task work, int steps, int stride) {
   long failures = fail_everywhere(work, steps / 2, steps, steps, stride, expected);
   size_t after = mallinfo2().uordblks;
   assert_true(failures > 0);
-  if (after > before + 4096 + 16 * (size_t)failures) fail_msg("%zu bytes leak in %ld failures", after - before, failures);
+  if (after > before + 4096 + 16 * (size_t)failures)
+    fail_msg("%zu bytes leak in %ld failures", after - before, failures);
 }
 
 static void a_design_survives(void **state) {

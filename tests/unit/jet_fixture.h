@@ -1,5 +1,6 @@
-/* Curvatures of a grid net by a jet fit: in the frame of the vertex normal, the height of the 5 x 5 vertices around is fitted by a
- * polynomial of degree 4 (least squares); K and H come from its derivatives at the vertex. Nothing of the solver is used. */
+/* Curvatures of a grid net by a jet fit: in the frame of the vertex normal, the height of the 5 x 5 vertices around is
+ * fitted by a polynomial of degree 4 (least squares); K and H come from its derivatives at the vertex. Nothing of the
+ * solver is used. */
 #ifndef LAM_TESTS_JET_FIXTURE_H
 #define LAM_TESTS_JET_FIXTURE_H
 

@@ -7,8 +7,8 @@
 #include "solve/factor.h"
 
 typedef struct dense_system {
-  int n;           /* unknowns of free nodes, in the order of x */
-  double *H, *g;   /* n x n, n */
+  int n;         /* unknowns of free nodes, in the order of x */
+  double *H, *g; /* n x n, n */
   double energy, max, rms;
 } dense_system;
 
@@ -34,11 +34,12 @@ static inline const double *element_params(const lam_block *block, int element) 
 /* H = sum w^2 J'J, g = sum w^2 J'r over the free unknowns. */
 static inline dense_system dense_assemble(lam_arena *arena, const lam_problem *problem, const double *x,
                                           lam_weights weights) {
-  int all = problem->offset[problem->node_count], *column = LAM_NEW(arena, int, all), *at = LAM_NEW(arena, int, all + 64);
+  int all = problem->offset[problem->node_count], *column = LAM_NEW(arena, int, all),
+      *at = LAM_NEW(arena, int, all + 64);
   dense_system d = {0};
   for (int v = 0; v < problem->node_count; v++)
     for (int c = 0; c < problem->size[v]; c++) column[problem->offset[v] + c] = problem->fixed[v] ? -1 : d.n++;
-  d.H = LAM_NEW(arena, double, d.n * d.n);
+  d.H = LAM_NEW(arena, double, d.n *d.n);
   d.g = LAM_NEW(arena, double, d.n);
   long hard = 0;
   for (int b = 0; b < problem->block_count; b++) {
@@ -47,7 +48,7 @@ static inline dense_system dense_assemble(lam_arena *arena, const lam_problem *p
     for (int e = 0; e < block->count; e++) {
       int n = element_unknowns(problem, block, e, at);
       double *local = LAM_NEW(arena, double, n), *r = LAM_NEW(arena, double, block->rows);
-      double *J = LAM_NEW(arena, double, block->rows * n);
+      double *J = LAM_NEW(arena, double, block->rows *n);
       for (int i = 0; i < n; i++) local[i] = x[at[i]];
       block->kernel(n, local, element_params(block, e), r, J);
       for (int k = 0; k < block->rows; k++) {
@@ -74,7 +75,7 @@ static inline dense_system dense_assemble(lam_arena *arena, const lam_problem *p
 static inline double *dense_values(lam_arena *arena, const lam_system *system, const double *values) {
   int n = lam_system_size(system);
   const int *start = lam_system_columns(system), *row = lam_system_rows(system);
-  double *H = LAM_NEW(arena, double, n * n);
+  double *H = LAM_NEW(arena, double, n *n);
   for (int c = 0; c < n; c++)
     for (int k = start[c]; k < start[c + 1]; k++) H[row[k] * n + c] = H[c * n + row[k]] = values[k];
   return H;

@@ -40,7 +40,8 @@ static void twice(int n, const double *x, const double *p, double *r, double *J)
   J[0] = x[4], J[4] = x[0], J[8] = 2 * x[8], J[9] = -x[13], J[13] = -x[9];
 }
 
-/* A grid with planar stars, edges, fairness, closeness and the kernels above on extra nodes of 4, 1, 1 and 5 unknowns. */
+/* A grid with planar stars, edges, fairness, closeness and the kernels above on extra nodes of 4, 1, 1 and 5 unknowns.
+ */
 static lam_problem *mixed_problem(net_fixture *f, const lam_net *net) {
   static const double sphere[4] = {1, 2, 9, 8}, a[1] = {.3}, b[1] = {.9}, five[5] = {1, 2, 3, 4, 5};
   static const double slope[2] = {2, -3};
@@ -53,22 +54,43 @@ static lam_problem *mixed_problem(net_fixture *f, const lam_net *net) {
   lam_con_fairness.add(&scope, NULL, .7, (lam_place){0});
   lam_con_closeness.add(&scope, NULL, .2, (lam_place){0});
   lam_edge_length_add(&scope, "soft edges", LAM_SOFT, 1.5, (lam_edge_length_params){1.1, false});
-  int count = net->mesh.vertex_count, *pairs = LAM_NEW(arena, int, 2 * count), *reversed = LAM_NEW(arena, int, 2 * count);
+  int count = net->mesh.vertex_count, *pairs = LAM_NEW(arena, int, 2 * count),
+      *reversed = LAM_NEW(arena, int, 2 * count);
   for (int v = 0; v < count; v++) {
     pairs[2 * v] = reversed[2 * v + 1] = v;
     pairs[2 * v + 1] = reversed[2 * v] = ball;
   }
-  lam_problem_add(problem, (lam_block){.name = "sphere", .kernel = on_sphere, .rows = 1, .weight = 2, .count = count,
-                                       .arity = 2, .nodes = pairs});
-  lam_problem_add(problem, (lam_block){.name = "sphere first", .kernel = sphere_first, .rows = 1, .weight = .6,
-                                       .count = count, .arity = 2, .nodes = reversed});
+  lam_problem_add(
+      problem,
+      (lam_block){
+          .name = "sphere", .kernel = on_sphere, .rows = 1, .weight = 2, .count = count, .arity = 2, .nodes = pairs});
+  lam_problem_add(problem, (lam_block){.name = "sphere first",
+                                       .kernel = sphere_first,
+                                       .rows = 1,
+                                       .weight = .6,
+                                       .count = count,
+                                       .arity = 2,
+                                       .nodes = reversed});
   int *scalars = LAM_NEW(arena, int, 4), *doubled = LAM_NEW(arena, int, 8);
   memcpy(scalars, (int[4]){second, first, first, second}, 4 * sizeof(int));
   memcpy(doubled, (int[8]){7, 3, 7, other, 2, 11, 2, other}, 8 * sizeof(int));
-  lam_problem_add(problem, (lam_block){.name = "numbers", .kernel = two_numbers, .rows = 2, .weight = 1, .count = 2,
-                                       .arity = 2, .nodes = scalars, .param_count = 1, .params = (double *)slope});
-  lam_problem_add(problem, (lam_block){.name = "twice", .kernel = twice, .rows = 1, .role = LAM_SOFT, .weight = 1,
-                                       .count = 2, .arity = 4, .nodes = doubled});
+  lam_problem_add(problem, (lam_block){.name = "numbers",
+                                       .kernel = two_numbers,
+                                       .rows = 2,
+                                       .weight = 1,
+                                       .count = 2,
+                                       .arity = 2,
+                                       .nodes = scalars,
+                                       .param_count = 1,
+                                       .params = (double *)slope});
+  lam_problem_add(problem, (lam_block){.name = "twice",
+                                       .kernel = twice,
+                                       .rows = 1,
+                                       .role = LAM_SOFT,
+                                       .weight = 1,
+                                       .count = 2,
+                                       .arity = 4,
+                                       .nodes = doubled});
   lam_problem_add(problem, (lam_block){.name = "nothing", .kernel = twice, .rows = 1, .count = 0, .arity = 4});
   return problem;
 }
@@ -190,8 +212,8 @@ static void solving_equals_elimination(void **state) {
   int n = lam_system_size(system), entries = lam_system_columns(system)[n];
   double *values = LAM_NEW(f->arena, double, entries), *gradient = LAM_NEW(f->arena, double, n);
   double *x = LAM_NEW(f->arena, double, n);
-  lam_factor *factor = lam_factor_analyze(f->arena, n, lam_system_columns(system), lam_system_rows(system),
-                                          lam_system_order(system));
+  lam_factor *factor =
+      lam_factor_analyze(f->arena, n, lam_system_columns(system), lam_system_rows(system), lam_system_order(system));
   for (int round = 0; round < 3; round++) {
     lam_system_assemble(system, problem->x, (lam_weights){1, 1, 1. / (1 + round)}, values, gradient);
     lam_system_damp(system, .1, values);
@@ -210,11 +232,12 @@ static void solving_equals_elimination(void **state) {
   assert_true(stats.flops > 0 && stats.entries >= n);
 }
 
-/* A chain of n unknowns with diagonal d and neighbors -1: definite for d > 2, indefinite for d < 2 cos(pi / (n + 1)). Small ones are
- * factorized column by column, large dense ones in blocks: both must notice. */
+/* A chain of n unknowns with diagonal d and neighbors -1: definite for d > 2, indefinite for d < 2 cos(pi / (n + 1)).
+ * Small ones are factorized column by column, large dense ones in blocks: both must notice. */
 static bool chain_is_definite(net_fixture *f, int n, int band, double d) {
-  int *start = LAM_NEW(f->arena, int, n + 1), *row = LAM_NEW(f->arena, int, n * (band + 1)), *order = LAM_NEW(f->arena, int, n);
-  double *values = LAM_NEW(f->arena, double, n * (band + 1)), *b = LAM_NEW(f->arena, double, n);
+  int *start = LAM_NEW(f->arena, int, n + 1), *row = LAM_NEW(f->arena, int, n *(band + 1)),
+      *order = LAM_NEW(f->arena, int, n);
+  double *values = LAM_NEW(f->arena, double, n *(band + 1)), *b = LAM_NEW(f->arena, double, n);
   int k = 0;
   for (int c = 0; c < n; c++) {
     order[c] = c;
@@ -284,8 +307,10 @@ static void a_common_sphere_is_found(void **state) {
     problem->fixed[i] = true;
     nodes[2 * i] = i, nodes[2 * i + 1] = ball;
   }
-  lam_problem_add(problem, (lam_block){.name = "sphere", .kernel = on_sphere, .rows = 1, .weight = 1, .count = 12,
-                                       .arity = 2, .nodes = nodes});
+  lam_problem_add(
+      problem,
+      (lam_block){
+          .name = "sphere", .kernel = on_sphere, .rows = 1, .weight = 1, .count = 12, .arity = 2, .nodes = nodes});
   lam_schedule schedule = lam_schedule_default();
   lam_solution s = lam_guided_solve(problem, &schedule, NULL);
   if (!s.converged) fail_msg("%s", s.reason);

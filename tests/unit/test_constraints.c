@@ -8,12 +8,18 @@ static const char *const net_names[net_count] = {"open grid", "torus", "tube", "
 
 static lam_mesh mesh_of(net_fixture *f, int i) {
   switch (i) {
-  case 0: return net_grid(f->arena, 5, 6, net_saddle);
-  case 1: return net_torus(f->arena, 6, 5, 3, 1);
-  case 2: return net_tube(f->arena, 6, 4);
-  case 3: return net_round_cube(f);
-  case 4: return net_monkey(f, 3, 0);
-  default: return net_monkey(f, 3, 1);
+  case 0:
+    return net_grid(f->arena, 5, 6, net_saddle);
+  case 1:
+    return net_torus(f->arena, 6, 5, 3, 1);
+  case 2:
+    return net_tube(f->arena, 6, 4);
+  case 3:
+    return net_round_cube(f);
+  case 4:
+    return net_monkey(f, 3, 0);
+  default:
+    return net_monkey(f, 3, 1);
   }
 }
 
@@ -23,13 +29,13 @@ typedef struct subject {
   lam_trimesh reference;
 } subject;
 
-/* A net with a mean edge of 1 and vertices displaced by up to a seventh of it, and a problem with one constraint on it. */
+/* A net with a mean edge of 1 and vertices displaced by up to a seventh of it, and a problem with one constraint on it.
+ */
 static subject subject_of(net_fixture *f, int net, const lam_constraint_kind *kind, const char *keys) {
   lam_mesh mesh = mesh_of(f, net);
   subject s = {.net = net_built(f, &mesh)};
   double unit = lam_net_mean_edge(&s.net, s.net.mesh.vertices);
-  for (int v = 0; v < mesh.vertex_count; v++)
-    s.net.mesh.vertices[v] = lam_scale(s.net.mesh.vertices[v], 1 / unit);
+  for (int v = 0; v < mesh.vertex_count; v++) s.net.mesh.vertices[v] = lam_scale(s.net.mesh.vertices[v], 1 / unit);
   s.reference = lam_mesh_triangles(f->arena, &s.net.mesh);
   lam_mesh_perturb(&s.net.mesh, 1. / 7, 1 + net);
   s.problem = lam_problem_new(f->arena, mesh.vertex_count, s.net.mesh.vertices);
@@ -94,7 +100,8 @@ static void check_element(net_fixture *f, const subject *s, const lam_block *blo
   }
 }
 
-/* A block that calls itself linear: the Jacobian is the same anywhere and for any parameters, and r(x + d) = r(x) + J d. */
+/* A block that calls itself linear: the Jacobian is the same anywhere and for any parameters, and r(x + d) = r(x) + J
+ * d. */
 static void check_linear(net_fixture *f, const subject *s, const lam_block *block) {
   int at[most_unknowns], n = element_unknowns(s->problem, block, 0, at);
   double x[most_unknowns], d[most_unknowns], r[most_rows], moved[most_rows], params[64];
@@ -150,8 +157,8 @@ static void jacobians_with_other_parameters(void **state) {
   check_kind(f, &lam_con_handle, "{vertex: [3, -1], to: [1 m, 2 m, 3 m]}");
 }
 
-/* Each constraint alone on every net: sparse and dense normal equations agree. The boundary of the tube is a loop without
- * corners: boundary-length lists its first vertex twice. */
+/* Each constraint alone on every net: sparse and dense normal equations agree. The boundary of the tube is a loop
+ * without corners: boundary-length lists its first vertex twice. */
 static void every_constraint_assembles(void **state) {
   net_fixture *f = *state;
   bool repeated = false;
@@ -169,8 +176,9 @@ static void every_constraint_assembles(void **state) {
   assert_true(repeated);
 }
 
-/* The number of elements, counted by hand. Grid 5 x 6: 12 inner vertices, 20 faces, 49 edges, 18 of them on the boundary, 4 sides,
- * triples 6 * 3 + 5 * 4 on 11 lines. Monkey saddle of 3 rings: 6 sectors of 9 faces, 1 + 6 * 12 vertices. */
+/* The number of elements, counted by hand. Grid 5 x 6: 12 inner vertices, 20 faces, 49 edges, 18 of them on the
+ * boundary, 4 sides, triples 6 * 3 + 5 * 4 on 11 lines. Monkey saddle of 3 rings: 6 sectors of 9 faces, 1 + 6 * 12
+ * vertices. */
 static void elements_are_complete(void **state) {
   net_fixture *f = *state;
   static const struct {
@@ -213,7 +221,8 @@ static void elements_are_complete(void **state) {
 /* At the start, what keeps the start is met: edge lengths, side lengths, closeness, gliding. */
 static void constraints_that_keep_are_met_at_the_start(void **state) {
   net_fixture *f = *state;
-  const lam_constraint_kind *kinds[] = {&lam_con_edge_length, &lam_con_boundary_length, &lam_con_closeness, &lam_con_glide};
+  const lam_constraint_kind *kinds[] = {&lam_con_edge_length, &lam_con_boundary_length, &lam_con_closeness,
+                                        &lam_con_glide};
   for (int net = 0; net < net_count; net++)
     for (int i = 0; i < 4; i++) {
       subject s = subject_of(f, net, kinds[i], "{}");
@@ -225,8 +234,8 @@ static void constraints_that_keep_are_met_at_the_start(void **state) {
   assert_near(dense_assemble(f->arena, s.problem, s.problem->x, (lam_weights){1, 1, 1}).energy, 0, 1e-28);
 }
 
-/* |n.(v - P)| with the foot point P is the distance to the reference: searched over all triangles' points by the tree, and at most
- * the distance of the nearest reference vertex. */
+/* |n.(v - P)| with the foot point P is the distance to the reference: searched over all triangles' points by the tree,
+ * and at most the distance of the nearest reference vertex. */
 static void proximity_measures_the_distance(void **state) {
   net_fixture *f = *state;
   for (int net = 0; net < net_count; net++) {
@@ -264,7 +273,8 @@ static void proximity_needs_a_reference(void **state) {
   assert_int_equal(problem->block_count, 0);
 }
 
-/* A boundary vertex moved along the tangent keeps its gliding residual 0; moved off the line by h, the residual is h. */
+/* A boundary vertex moved along the tangent keeps its gliding residual 0; moved off the line by h, the residual is h.
+ */
 static void gliding_is_free_along_the_boundary(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 4, 5, net_plane);

@@ -19,9 +19,9 @@ static void a_unit_grid(void **state) {
     const char *name;
     double value;
     long count;
-  } rows[] = {{"star_planarity", 0, 6}, {"face_planarity", 0, 12}, {"angle_deviation", 0, 6},  {"crossing_angle", 90, 6},
-              {"turning_angle", 0, 12}, {"edge_length", 1, 31},    {"shortest_edge", 1, 1},    {"foldovers", 0, 31},
-              {"flatness", 0, 1}};
+  } rows[] = {{"star_planarity", 0, 6},  {"face_planarity", 0, 12}, {"angle_deviation", 0, 6},
+              {"crossing_angle", 90, 6}, {"turning_angle", 0, 12},  {"edge_length", 1, 31},
+              {"shortest_edge", 1, 1},   {"foldovers", 0, 31},      {"flatness", 0, 1}};
   lam_mesh meshes[2] = {net_grid(f->arena, 4, 5, net_plane), net_grid(f->arena, 4, 5, turned)};
   for (int i = 0; i < 2; i++) {
     lam_net net = net_built(f, &meshes[i]);
@@ -37,8 +37,8 @@ static void a_unit_grid(void **state) {
   }
 }
 
-/* The neighbors of a star with arms of 1 raised by +h, -h, +h, -h: the plane stays, four points are h away, the mean edge is
- * sqrt(1 + h^2). */
+/* The neighbors of a star with arms of 1 raised by +h, -h, +h, -h: the plane stays, four points are h away, the mean
+ * edge is sqrt(1 + h^2). */
 static void a_star_out_of_plane(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
@@ -53,8 +53,9 @@ static void a_star_out_of_plane(void **state) {
   assert_near(measured(f, &mesh, "crossing_angle").max, 90, 1e-12);
 }
 
-/* A center at height 1 over a ring in the plane: about its plane of best fit z = 1/5, it stands out by 4/5. Any valence: the peaks of
- * the cube, (1, 1, 1) over three neighbors in the plane x + y + z = 1 is 2/sqrt 3 high, over a fit at a quarter. */
+/* A center at height 1 over a ring in the plane: about its plane of best fit z = 1/5, it stands out by 4/5. Any
+ * valence: the peaks of the cube, (1, 1, 1) over three neighbors in the plane x + y + z = 1 is 2/sqrt 3 high, over a
+ * fit at a quarter. */
 static void stars_of_any_valence(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
@@ -67,14 +68,15 @@ static void stars_of_any_valence(void **state) {
   assert_near(m.mean, m.max, 1e-14);
 }
 
-/* A unit square with one corner raised by h: d1 = (1,1,h), d2 = (-1,1,0); the distance of the diagonals is |E.(d1 x d2)| / |d1 x d2|
- * with E = (1,0,0), d1 x d2 = (-h, -h, 2). */
+/* A unit square with one corner raised by h: d1 = (1,1,h), d2 = (-1,1,0); the distance of the diagonals is |E.(d1 x
+ * d2)| / |d1 x d2| with E = (1,0,0), d1 x d2 = (-h, -h, 2). */
 static void a_twisted_quad(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 2, 2, net_plane);
   double h = .3;
   mesh.vertices[3].z = h;
-  assert_near(measured(f, &mesh, "face_planarity").max, h / sqrt(4 + 2 * h * h) / ((sqrt(2 + h * h) + root2) / 2), 1e-15);
+  assert_near(measured(f, &mesh, "face_planarity").max, h / sqrt(4 + 2 * h * h) / ((sqrt(2 + h * h) + root2) / 2),
+              1e-15);
   assert_near(measured(f, &mesh, "edge_length").max, sqrt(1 + h * h), 1e-15);
   assert_near(measured(f, &mesh, "edge_length").mean, (1 + sqrt(1 + h * h)) / 2, 1e-15);
   assert_near(measured(f, &mesh, "shortest_edge").max, 2 / (1 + sqrt(1 + h * h)), 1e-15);
@@ -114,15 +116,17 @@ static void a_folded_net(void **state) {
 
 static lam_vec3 wave(double i, double j) { return lam_v3(i, j, (int)i % 2 ? .25 : -.25); }
 
-/* Rows at +-1/4 over 0 <= x <= 7, 0 <= y <= 3 with the corners left out: the height is 1/4 everywhere, the variance of x over the 28 other
- * vertices is (4 * 42 - 4 * 12.25) / 28 = 4.25; x and z correlate slightly, so the fit is a little better than z = 0. */
+/* Rows at +-1/4 over 0 <= x <= 7, 0 <= y <= 3 with the corners left out: the height is 1/4 everywhere, the variance of
+ * x over the 28 other vertices is (4 * 42 - 4 * 12.25) / 28 = 4.25; x and z correlate slightly, so the fit is a little
+ * better than z = 0. */
 static void flatness_is_thickness_over_length(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 8, 4, wave);
   double flat = measured(f, &mesh, "flatness").max;
   assert_below(flat, .25 / sqrt(4.25));
   assert_near(flat, .25 / sqrt(4.25), .006);
-  mesh.vertices[0].z = mesh.vertices[3].z = mesh.vertices[28].z = mesh.vertices[31].z = 9; /* corners belong to no star */
+  mesh.vertices[0].z = mesh.vertices[3].z = mesh.vertices[28].z = mesh.vertices[31].z =
+      9; /* corners belong to no star */
   assert_near(measured(f, &mesh, "flatness").max, flat, 1e-15);
   lam_mesh quad = net_grid(f->arena, 2, 2, net_plane); /* no stars at all: every vertex counts */
   quad.vertices[0].z = quad.vertices[3].z = .1, quad.vertices[1].z = quad.vertices[2].z = -.1;
@@ -163,8 +167,8 @@ static void degenerate_states_have_names(void **state) {
   static const struct {
     lam_vec3 (*move)(lam_vec3 x);
     const char *name;
-  } rows[] = {{shrink, "shrunk"}, {explode, "flown apart"}, {flatten, "flattened"}, {fold, "folded"}, {squeeze, "collapsed"},
-              {ruin, "not a number"}};
+  } rows[] = {{shrink, "shrunk"}, {explode, "flown apart"}, {flatten, "flattened"},
+              {fold, "folded"},   {squeeze, "collapsed"},   {ruin, "not a number"}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     const char *text = state_of(f, &mesh, rows[i].move);
     if (!text || strncmp(text, rows[i].name, strlen(rows[i].name)) != 0)

@@ -66,7 +66,8 @@ static void check_polylines(const lam_net *net) {
   free(seen);
 }
 
-/* Stars are regular, counterclockwise, +-u of family 0, +-v of family 1, and opposite neighbors follow each other on a line. */
+/* Stars are regular, counterclockwise, +-u of family 0, +-v of family 1, and opposite neighbors follow each other on a
+ * line. */
 static void check_stars(const lam_net *net) {
   int regular = 0;
   for (int v = 0; v < net->mesh.vertex_count; v++) regular += !net->boundary[v] && valence(net, v) == 4;
@@ -111,9 +112,11 @@ static void check_net(net_fixture *f, const char *name, const lam_mesh *mesh, co
   lam_net net = net_built(f, mesh);
   int closed = 0;
   for (int l = 0; l < net.polyline_count; l++) closed += net.polylines[l].closed;
-  counts found = {net.mesh.vertex_count, net.edge_count, net.mesh.face_count, net.star_count, net.polyline_count, closed,
-                  net.loop_count, net.irregular_count, net.mesh.vertex_count - net.edge_count + net.mesh.face_count,
-                  net.family_conflicts > 0};
+  counts found = {
+      net.mesh.vertex_count,   net.edge_count,      net.mesh.face_count,
+      net.star_count,          net.polyline_count,  closed,
+      net.loop_count,          net.irregular_count, net.mesh.vertex_count - net.edge_count + net.mesh.face_count,
+      net.family_conflicts > 0};
   const int *a = &found.vertices, *b = &c.vertices;
   for (int i = 0; i < 9; i++)
     if (a[i] != b[i]) fail_msg("%s: count %d is %d, expected %d", name, i, a[i], b[i]);
@@ -125,7 +128,8 @@ static void check_net(net_fixture *f, const char *name, const lam_mesh *mesh, co
   check_loops(&net);
 }
 
-/* n x m vertices: open, n(m-1) + m(n-1) edges, n + m lines; closed along u, n m + n(m-1) edges; a torus, 2 n m edges. */
+/* n x m vertices: open, n(m-1) + m(n-1) edges, n + m lines; closed along u, n m + n(m-1) edges; a torus, 2 n m edges.
+ */
 static void grids_have_the_counts_of_grids(void **state) {
   net_fixture *f = *state;
   for (int n = 2; n < 7; n++)
@@ -135,13 +139,22 @@ static void grids_have_the_counts_of_grids(void **state) {
         if ((u && n < 3) || (v && m < 3)) continue;
         lam_mesh mesh = lam_mesh_grid(f->arena, n, m, u, v);
         int rows = u ? n : n - 1, columns = v ? m : m - 1, inner_n = u ? n : n - 2, inner_m = v ? m : m - 2;
-        counts c = {n * m, rows * m + n * columns, rows * columns, inner_n * inner_m, n + m, u * m + v * n,
-                    u && v ? 0 : u || v ? 2 : 1, 0, u || v ? 0 : 1, false};
+        counts c = {n * m,
+                    rows * m + n * columns,
+                    rows * columns,
+                    inner_n * inner_m,
+                    n + m,
+                    u * m + v * n,
+                    u && v ? 0 : u || v ? 2 : 1,
+                    0,
+                    u || v ? 0 : 1,
+                    false};
         check_net(f, "grid", &mesh, c);
       }
 }
 
-/* Star (i, j) of a grid is (i+1, j), (i, j+1), (i-1, j), (i, j-1), around the seam too; line j of family 0 is (0, j), (1, j) ... */
+/* Star (i, j) of a grid is (i+1, j), (i, j+1), (i-1, j), (i, j-1), around the seam too; line j of family 0 is (0, j),
+ * (1, j) ... */
 static void grids_keep_u_and_v(void **state) {
   net_fixture *f = *state;
   enum { n = 5, m = 4 };
@@ -161,12 +174,13 @@ static void grids_keep_u_and_v(void **state) {
   }
 }
 
-/* The cube: three edges meet everywhere, so each is a line of its own and no two-coloring exists. Its subdivision: 12 lines over the
- * old edges, 3 closed ones across. Monkey saddle of n rings: 6 n(n+1) + 1 vertices, 6 n lines around the middle, 6 into it. Without the
- * middle (one ring) the lines run on through the corners of the hole. */
+/* The cube: three edges meet everywhere, so each is a line of its own and no two-coloring exists. Its subdivision: 12
+ * lines over the old edges, 3 closed ones across. Monkey saddle of n rings: 6 n(n+1) + 1 vertices, 6 n lines around the
+ * middle, 6 into it. Without the middle (one ring) the lines run on through the corners of the hole. */
 static void irregular_meshes(void **state) {
   net_fixture *f = *state;
-  lam_mesh cube = net_cube(f->arena), round = net_round_cube(f), monkey = net_monkey(f, 4, 0), oculus = net_monkey(f, 4, 1);
+  lam_mesh cube = net_cube(f->arena), round = net_round_cube(f), monkey = net_monkey(f, 4, 0),
+           oculus = net_monkey(f, 4, 1);
   check_net(f, "cube", &cube, (counts){8, 12, 6, 0, 12, 0, 0, 8, 2, true});
   check_net(f, "round cube", &round, (counts){26, 48, 24, 18, 15, 3, 0, 8, 2, true});
   check_net(f, "monkey saddle", &monkey, (counts){121, 216, 96, 72, 30, 0, 1, 1, 1, false});
@@ -184,7 +198,8 @@ static void separate_pieces(void **state) {
   check_net(f, "two grids", &both, (counts){18, 24, 8, 2, 12, 0, 2, 0, 2, false});
 }
 
-/* Every kind of mesh that is no net is refused with a message that says why. Vertices 0 to 7 of a cube, faces as listed. */
+/* Every kind of mesh that is no net is refused with a message that says why. Vertices 0 to 7 of a cube, faces as
+ * listed. */
 static void wrong_meshes_are_refused(void **state) {
   net_fixture *f = *state;
   static const struct {
@@ -210,7 +225,8 @@ static void wrong_meshes_are_refused(void **state) {
     assert_false(lam_net_build(f->arena, &mesh, (lam_place){"mesh.obj", 3, 0}, &errors, &net));
     assert_int_equal(errors.count, 1);
     assert_int_equal(errors.first->place.line, 3);
-    if (!strstr(errors.first->text, rows[i].why)) fail_msg("\"%s\" does not say \"%s\"", errors.first->text, rows[i].why);
+    if (!strstr(errors.first->text, rows[i].why))
+      fail_msg("\"%s\" does not say \"%s\"", errors.first->text, rows[i].why);
   }
 }
 
@@ -226,7 +242,8 @@ static void a_pinched_vertex_is_refused(void **state) {
   assert_non_null(strstr(f->errors.first->text, "vertex 8 do not form one fan"));
 }
 
-/* Plane: (0, 0, 1). Torus of 24 x 24: outwards, within the turn of one cell. A planar star in a tilted plane: its normal to rounding. */
+/* Plane: (0, 0, 1). Torus of 24 x 24: outwards, within the turn of one cell. A planar star in a tilted plane: its
+ * normal to rounding. */
 static void normals_point_to_the_side_of_the_faces(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 4, 5, net_plane);

@@ -6,8 +6,8 @@ static lam_mesh catmull_clark(net_fixture *f, const lam_mesh *mesh) {
   return lam_net_catmull_clark(f->arena, &net);
 }
 
-/* One step of the cube [-1, 1]^3 by hand. Faces: their centers. Edges: ((0,1,1) + ((0,0,1) + (0,1,0)) / 2) / 2 = (0, 3/4, 3/4).
- * Vertices: (F + 2 E) / 3 with F = 1/3, E = 2/3: 5/9. */
+/* One step of the cube [-1, 1]^3 by hand. Faces: their centers. Edges: ((0,1,1) + ((0,0,1) + (0,1,0)) / 2) / 2 = (0,
+ * 3/4, 3/4). Vertices: (F + 2 E) / 3 with F = 1/3, E = 2/3: 5/9. */
 static void catmull_clark_of_the_cube(void **state) {
   net_fixture *f = *state;
   lam_mesh cube = net_cube(f->arena), round = catmull_clark(f, &cube);
@@ -16,15 +16,18 @@ static void catmull_clark_of_the_cube(void **state) {
     lam_vec3 x = round.vertices[v];
     double size[3] = {fabs(x.x), fabs(x.y), fabs(x.z)}, sum = size[0] + size[1] + size[2];
     double most = fmax(size[0], fmax(size[1], size[2])), least = fmin(size[0], fmin(size[1], size[2]));
-    if (v < 8) assert_near(lam_distance(x, lam_scale(cube.vertices[v], 5. / 9)), 0, 1e-15);
-    else assert_near(sum, v < 20 ? 1.5 : 1, 1e-15);
+    if (v < 8)
+      assert_near(lam_distance(x, lam_scale(cube.vertices[v], 5. / 9)), 0, 1e-15);
+    else
+      assert_near(sum, v < 20 ? 1.5 : 1, 1e-15);
     if (v >= 8) assert_near(most, v < 20 ? .75 : 1, 1e-15);
     if (v >= 8) assert_near(least, 0, 0);
   }
 }
 
-/* Limit points: (n^2 v + 4 sum e + sum f) / (n (n + 5)) over the ring of the first step. At a corner (9 * 5/9 + 6 + 1) / 24 = 1/2; at the
- * middle of a face (16 + 12 + 20/9) / 36 = 68/81. The error shrinks by a factor 4 (regular) to 2.4 (valence 3) per step. */
+/* Limit points: (n^2 v + 4 sum e + sum f) / (n (n + 5)) over the ring of the first step. At a corner (9 * 5/9 + 6 + 1)
+ * / 24 = 1/2; at the middle of a face (16 + 12 + 20/9) / 36 = 68/81. The error shrinks by a factor 4 (regular) to 2.4
+ * (valence 3) per step. */
 static void catmull_clark_converges_to_its_limit(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_round_cube(f);
@@ -55,7 +58,8 @@ static void both_schemes_keep_plane_grids(void **state) {
       seen[11 * i + j] = true;
     }
     for (int e = 0; e < refined.edge_count; e++) {
-      lam_vec3 a = refined.mesh.vertices[refined.edges[e].vertex[0]], b = refined.mesh.vertices[refined.edges[e].vertex[1]];
+      lam_vec3 a = refined.mesh.vertices[refined.edges[e].vertex[0]],
+               b = refined.mesh.vertices[refined.edges[e].vertex[1]];
       assert_near(fabs(b.x - a.x), refined.edges[e].family == 0 ? .5 : 0, 1e-14); /* families keep their direction */
     }
   }
@@ -85,12 +89,17 @@ static void four_point_reproduces_polynomials(void **state) {
   assert_int_equal(inner, 9 * 9);
 }
 
-/* Old vertices keep index and place to the bit, on nets of every topology; the refined net has the same Euler number, twice the
- * boundary, and the same irregular vertices. */
+/* Old vertices keep index and place to the bit, on nets of every topology; the refined net has the same Euler number,
+ * twice the boundary, and the same irregular vertices. */
 static void four_point_keeps_old_vertices(void **state) {
   net_fixture *f = *state;
-  lam_mesh meshes[] = {net_torus(f->arena, 5, 7, 3, 1), net_tube(f->arena, 5, 3), net_round_cube(f), net_monkey(f, 3, 0),
-                       net_monkey(f, 3, 1), net_grid(f->arena, 2, 2, net_saddle), net_grid(f->arena, 3, 2, net_saddle)};
+  lam_mesh meshes[] = {net_torus(f->arena, 5, 7, 3, 1),
+                       net_tube(f->arena, 5, 3),
+                       net_round_cube(f),
+                       net_monkey(f, 3, 0),
+                       net_monkey(f, 3, 1),
+                       net_grid(f->arena, 2, 2, net_saddle),
+                       net_grid(f->arena, 3, 2, net_saddle)};
   for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
     lam_net net = net_built(f, &meshes[i]);
     lam_mesh fine = lam_net_four_point(f->arena, &net);
@@ -120,7 +129,8 @@ static void four_point_goes_around_the_seam(void **state) {
   }
 }
 
-/* SplitMix64 with the seed 1234567: the published first outputs are 6457827717110365317, 3203168211198807973, 9817491932198370423. */
+/* SplitMix64 with the seed 1234567: the published first outputs are 6457827717110365317, 3203168211198807973,
+ * 9817491932198370423. */
 static void noise_is_the_same_everywhere(void **state) {
   net_fixture *f = *state;
   lam_mesh a = net_grid(f->arena, 9, 9, net_plane), b = net_grid(f->arena, 9, 9, net_plane);
@@ -143,8 +153,8 @@ static void noise_is_the_same_everywhere(void **state) {
   assert_memory_equal(a.vertices, b.vertices, sizeof(lam_vec3) * 81);
 }
 
-/* Around the flat point of the monkey saddle: the middle is the first vertex, every vertex lies on the surface z = Re(2 w^3 / 3), and all
- * sectors are copies: z changes sign from one to the next. */
+/* Around the flat point of the monkey saddle: the middle is the first vertex, every vertex lies on the surface z = Re(2
+ * w^3 / 3), and all sectors are copies: z changes sign from one to the next. */
 static void branched_charts_close_around_the_flat_point(void **state) {
   net_fixture *f = *state;
   enum { n = 4, per_sector = n * (n + 1) };
@@ -224,16 +234,11 @@ static void placing_scales_turns_and_grounds(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      NET_TEST(catmull_clark_of_the_cube),
-      NET_TEST(catmull_clark_converges_to_its_limit),
-      NET_TEST(both_schemes_keep_plane_grids),
-      NET_TEST(four_point_reproduces_polynomials),
-      NET_TEST(four_point_keeps_old_vertices),
-      NET_TEST(four_point_goes_around_the_seam),
-      NET_TEST(noise_is_the_same_everywhere),
-      NET_TEST(branched_charts_close_around_the_flat_point),
-      NET_TEST(closed_surfaces_have_no_seam),
-      NET_TEST(starts_that_cannot_be_are_refused),
+      NET_TEST(catmull_clark_of_the_cube),        NET_TEST(catmull_clark_converges_to_its_limit),
+      NET_TEST(both_schemes_keep_plane_grids),    NET_TEST(four_point_reproduces_polynomials),
+      NET_TEST(four_point_keeps_old_vertices),    NET_TEST(four_point_goes_around_the_seam),
+      NET_TEST(noise_is_the_same_everywhere),     NET_TEST(branched_charts_close_around_the_flat_point),
+      NET_TEST(closed_surfaces_have_no_seam),     NET_TEST(starts_that_cannot_be_are_refused),
       NET_TEST(placing_scales_turns_and_grounds),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -70,7 +70,9 @@ static double drift(const solved *s) {
   return most;
 }
 
-static jet_curvature jet(const solved *s, int i, int j) { return jet_fit(s->net.mesh.vertices, s->normals, s->n, i, j); }
+static jet_curvature jet(const solved *s, int i, int j) {
+  return jet_fit(s->net.mesh.vertices, s->normals, s->n, i, j);
+}
 
 static double mean_curvature(const solved *s) {
   double worst = 0;
@@ -108,10 +110,12 @@ static double torsion_variation(const solved *s) {
     for (int e = 0; e < s->net.edge_count; e++) {
       int a = s->net.edges[e].vertex[0], b = s->net.edges[e].vertex[1];
       if (s->net.boundary[a] || s->net.boundary[b]) continue;
-      double torsion = sin(lam_angle(s->normals[a], s->normals[b])) /
-                       lam_distance(s->net.mesh.vertices[a], s->net.mesh.vertices[b]);
-      if (pass == 0) sum += torsion, count++;
-      else squares += pow(torsion / (sum / count) - 1, 2);
+      double torsion =
+          sin(lam_angle(s->normals[a], s->normals[b])) / lam_distance(s->net.mesh.vertices[a], s->net.mesh.vertices[b]);
+      if (pass == 0)
+        sum += torsion, count++;
+      else
+        squares += pow(torsion / (sum / count) - 1, 2);
     }
   return sqrt(squares / count);
 }
@@ -178,7 +182,8 @@ static void check_row(net_fixture *f, char *line) {
     fail_msg("%s: %d steps, expected at most %s", cell[0], s.result.solution.iterations, cell[5]);
   assert_non_null(s.result.reason);
   char *save = NULL;
-  for (char *term = strtok_r(cell[6], " ", &save); term; term = strtok_r(NULL, " ", &save)) check_term(&s, cell[0], term);
+  for (char *term = strtok_r(cell[6], " ", &save); term; term = strtok_r(NULL, " ", &save))
+    check_term(&s, cell[0], term);
 }
 
 static void every_case_of_the_table(void **state) {
@@ -206,8 +211,9 @@ static void a_dome_is_reported_as_flattened(void **state) {
   assert_non_null(strstr(s.result.reason, "flattened"));
 }
 
-/* Enneper's surface on finer and finer grids: the mean curvature of the solved net falls with the square of the edge, so its limit is a
- * minimal surface. The same vertices are compared: those of the coarse grid, four rows from its border. */
+/* Enneper's surface on finer and finer grids: the mean curvature of the solved net falls with the square of the edge,
+ * so its limit is a minimal surface. The same vertices are compared: those of the coarse grid, four rows from its
+ * border. */
 static void mean_curvature_falls_with_the_square_of_the_edge(void **state) {
   net_fixture *f = *state;
   double before = 0;

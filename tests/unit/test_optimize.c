@@ -22,8 +22,12 @@ static outcome solve(net_fixture *f, const lam_mesh *mesh, int grid, setup s) {
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, s.keys);
   common->grid[0] = common->grid[1] = grid;
   if (!grid) common->from.file = "mesh.obj";
-  lam_net_job job = {kind, net_params(f, kind->head.keys, kind->head.params_size, s.params), common, s.reference,
-                     (lam_place){"test", 1, 1}, s.progress};
+  lam_net_job job = {kind,
+                     net_params(f, kind->head.keys, kind->head.params_size, s.params),
+                     common,
+                     s.reference,
+                     (lam_place){"test", 1, 1},
+                     s.progress};
   if (!lam_net_optimize(f->arena, &job, &o.net, &f->errors, &o.result)) {
     assert_true(f->errors.count > 0);
     return o;
@@ -70,7 +74,8 @@ static void noisy_starts_converge(void **state) {
     }
 }
 
-/* Smoothing acts whatever the fairness of the net is about: the planar quads of an ellipsoid with noise keep longer edges. */
+/* Smoothing acts whatever the fairness of the net is about: the planar quads of an ellipsoid with noise keep longer
+ * edges. */
 static void smoothing_helps_planar_quads(void **state) {
   net_fixture *f = *state;
   double shortest[2];
@@ -78,21 +83,25 @@ static void smoothing_helps_planar_quads(void **state) {
     lam_mesh mesh = net_sampled(f, "ellipsoid", "{}", LAM_CHART_PRINCIPAL, 16, 16, 0);
     lam_net net = net_built(f, &mesh);
     lam_mesh_perturb(&mesh, .1 * lam_net_mean_edge(&net, mesh.vertices), 1);
-    outcome o = solve(f, &mesh, 16, (setup){"planar-quads", "{}", smooth ? "{solver: {smooth: yes}}" : "{}", NULL, NULL});
+    outcome o =
+        solve(f, &mesh, 16, (setup){"planar-quads", "{}", smooth ? "{solver: {smooth: yes}}" : "{}", NULL, NULL});
     assert_converged(&o, "planar quads");
     shortest[smooth] = measure(&o, "shortest_edge");
   }
   assert_true(shortest[1] > 1.5 * shortest[0]);
 }
 
-/* Handles that cannot be reached, wishes that contradict each other: a result with a reason, never NaN, within the limit of steps. */
+/* Handles that cannot be reached, wishes that contradict each other: a result with a reason, never NaN, within the
+ * limit of steps. */
 static void contradictions_end_with_a_reason(void **state) {
   net_fixture *f = *state;
   static const char *const keys[] = {
       "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60}}",
       "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 100000 m]}], solver: {iterations: 60}}",
-      "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 1 m]}, {vertex: [8, 8], to: [0 m, 0 m, 2 m]}], solver: {iterations: 60}}",
-      "{constraints: [{kind: edge-length}], handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60}}",
+      "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 1 m]}, {vertex: [8, 8], to: [0 m, 0 m, 2 m]}], solver: {iterations: "
+      "60}}",
+      "{constraints: [{kind: edge-length}], handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: "
+      "60}}",
       "{boundary: fixed, handles: [{vertex: [0, 0], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60}}",
       "{boundary: fixed, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m], steps: 3}], solver: {iterations: 20}}",
       "{boundary: glide, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60, fairness: 1}}",
@@ -136,7 +145,7 @@ static void handles_are_reached(void **state) {
 static void handles_that_are_not_there(void **state) {
   net_fixture *f = *state;
   static const char *const keys[] = {
-      "{handles: [{vertex: [5, 0], to: [0, 0, 0]}]}",  "{handles: [{vertex: [0, 5], to: [0, 0, 0]}]}",
+      "{handles: [{vertex: [5, 0], to: [0, 0, 0]}]}",   "{handles: [{vertex: [0, 5], to: [0, 0, 0]}]}",
       "{handles: [{vertex: [25, -1], to: [0, 0, 0]}]}", "{handles: [{vertex: [-1, -1], to: [0, 0, 0]}]}",
       "{handles: [{vertex: [-1, 3], to: [0, 0, 0]}]}",
   };
@@ -162,7 +171,8 @@ static double off_boundary(const outcome *o, lam_vec3 x) {
   return nearest;
 }
 
-/* fixed: every boundary vertex stays. glide: it stays on the boundary curve of the start, corners stay, through several solves too. */
+/* fixed: every boundary vertex stays. glide: it stays on the boundary curve of the start, corners stay, through several
+ * solves too. */
 static void boundaries_are_held(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_obj(f->arena, "tests/cases/nets/16_anet_schwarzD_from_hypar_init.obj");
@@ -178,7 +188,8 @@ static void boundaries_are_held(void **state) {
       {true, "{}", "{boundary: glide, handles: [{vertex: [84, -1], to: [0 m, 0 m, 50 mm], steps: 4}]}", 1e-12},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    outcome o = solve(f, rows[i].bent ? &bent : &mesh, 0, (setup){"asymptotic", rows[i].params, rows[i].keys, NULL, NULL});
+    outcome o =
+        solve(f, rows[i].bent ? &bent : &mesh, 0, (setup){"asymptotic", rows[i].params, rows[i].keys, NULL, NULL});
     assert_converged(&o, rows[i].keys);
     double moved = 0, unit = lam_net_mean_edge(&o.net, o.start.vertices);
     for (int v = 0; v < o.start.vertex_count; v++) {
@@ -188,8 +199,10 @@ static void boundaries_are_held(void **state) {
       moved = fmax(moved, way);
       assert_below(off_boundary(&o, o.net.mesh.vertices[v]) / unit, rows[i].tolerance);
     }
-    if (i == 0) assert_near(moved, 0, 1e-14);
-    else assert_true(moved > .01);
+    if (i == 0)
+      assert_near(moved, 0, 1e-14);
+    else
+      assert_true(moved > .01);
   }
 }
 
@@ -233,8 +246,9 @@ static double farthest(const outcome *o, const lam_vec3 *positions, const lam_tr
   return most;
 }
 
-/* An asymptotic net near a mesh of triangles: on it when that is possible (a scaled minimal surface, angles free); when it is not
- * (right angles on a surface with H != 0), the constraints hold exactly and the net stays as near as half the distance at the start. */
+/* An asymptotic net near a mesh of triangles: on it when that is possible (a scaled minimal surface, angles free); when
+ * it is not (right angles on a surface with H != 0), the constraints hold exactly and the net stays as near as half the
+ * distance at the start. */
 static void references_attract(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = saddle(f, 12);
@@ -265,7 +279,8 @@ static void nothing_to_move(void **state) {
   assert_true(o.result.solution.residual > .1);
 }
 
-/* The middle of the monkey saddle has six neighbors: its star becomes planar, but it has no crossing angle and is counted as left out. */
+/* The middle of the monkey saddle has six neighbors: its star becomes planar, but it has no crossing angle and is
+ * counted as left out. */
 static void irregular_vertices_take_part(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_monkey(f, 6, 0);
