@@ -137,7 +137,9 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   const int *nodes;
   long skipped = scope->skipped;
   int count = lam_scope_stars(scope, given && given->border, &nodes);
-  scope->skipped = skipped; /* irregular stars are handled below */
+  scope->skipped = skipped; /* irregular stars are handled below, but for the largest */
+  for (int v = 0; v < scope->net->mesh.vertex_count; v++)
+    scope->skipped += !scope->net->boundary[v] && scope->net->ring_start[v + 1] - scope->net->ring_start[v] > most_valence;
   lam_problem_add(scope->problem, (lam_block){.name = "planar-star",
                                               .kernel = planar_star,
                                               .rows = 2,

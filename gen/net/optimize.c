@@ -129,6 +129,9 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   for (int h = 0; h < handles->count; h++) {
     const lam_handle *handle = (const lam_handle *)handles->items + h;
     a.handle_vertices[h] = handle_vertex(&a, handle);
+    if (a.handle_vertices[h] >= 0 && job->common->boundary == LAM_BOUNDARY_FIXED && net->boundary[a.handle_vertices[h]])
+      lam_error_add(errors, job->place, "net.handles", "vertex [%d, %d] lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
+                    handle->vertex[0], handle->vertex[1]);
     if (handle->steps > steps) steps = handle->steps;
   }
   if (errors->count > before) return false;

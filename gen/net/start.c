@@ -49,6 +49,10 @@ static bool sample_sectors(lam_arena *arena, const lam_surface *surface, lam_cha
     lam_error_add(errors, place, "net.grid", "[%d, %d]; around a flat point both numbers must be equal", grid[0], grid[1]);
     return false;
   }
+  if (placing->v_given || (placing->u_given && placing->u[0] != 0)) {
+    lam_error_add(errors, place, "surface.u", "around a flat point only u: [0, reach] is meant, the same for all sectors; no v");
+    return false;
+  }
   if (hole >= n) {
     lam_error_add(errors, place, "net.hole", "%d rings, but every sector has %d; expected at most %d", hole, n, n - 1);
     return false;
