@@ -102,7 +102,6 @@ static void contradictions_end_with_a_reason(void **state) {
       "60}}",
       "{constraints: [{kind: edge-length}], handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: "
       "60}}",
-      "{boundary: fixed, handles: [{vertex: [0, 0], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60}}",
       "{boundary: fixed, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m], steps: 3}], solver: {iterations: 20}}",
       "{boundary: glide, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60, fairness: 1}}",
       "{constraints: [{kind: angle, angle: 60 deg}], solver: {iterations: 60}}",
@@ -117,6 +116,15 @@ static void contradictions_end_with_a_reason(void **state) {
     assert_true(o.result.solution.worst != NULL);
     assert_below(o.result.solution.iterations, 60);
   }
+}
+
+static void handles_on_a_fixed_boundary_are_refused(void **state) {
+  net_fixture *f = *state;
+  f->errors = (lam_errors){.arena = f->arena};
+  lam_mesh mesh = saddle(f, 4);
+  solve(f, &mesh, 4, (setup){"asymptotic", right, "{boundary: fixed, handles: [{vertex: [0, 2], to: [0, 0, 0]}]}", NULL, NULL});
+  assert_int_equal(f->errors.count, 1);
+  assert_non_null(strstr(f->errors.first->text, "lies on the boundary, which is fixed"));
 }
 
 /* The handle ends where it has to be, in one step or in five, by grid position or index. */
@@ -339,6 +347,7 @@ int main(void) {
       NET_TEST(contradictions_end_with_a_reason),
       NET_TEST(handles_are_reached),
       NET_TEST(handles_that_are_not_there),
+      NET_TEST(handles_on_a_fixed_boundary_are_refused),
       NET_TEST(boundaries_are_held),
       NET_TEST(a_wish_alone_is_fulfilled),
       NET_TEST(references_attract),
