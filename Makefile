@@ -121,7 +121,7 @@ renders/gallery/%.jpg: build/models/%/report.json
 # ---- tests ----
 check: setup-check
 	@$(MAKE) --no-print-directory $(jobs) all $(tests)
-	@LAMELLA=$(abspath $(out)/lamella) LAM_TESTS=$(out)/tests tests/run
+	@LAMELLA=$(abspath $(out)/lamella) LAM_TESTS=$(out)/tests tests/run $(only)
 accept: all
 	@LAMELLA=$(abspath $(out)/lamella) LAM_ACCEPT=1 tests/golden/golden.t
 bench: setup-build
@@ -147,7 +147,7 @@ clean:
 help:
 	@echo "make            the program build/lamella and the library build/liblamella.a, .so"
 	@echo "make demo       installs what is missing, builds, and makes the pavilion in build/demo"
-	@echo "make check      installs what is missing, builds, and runs all tests"
+	@echo "make check      installs what is missing, builds, and runs all tests (only=WORD: those with WORD in their name)"
 	@echo "make models     every shipped design, in build/models"
 	@echo "make renders    the gallery: renders/gallery (minutes per picture)"
 	@echo "make bench      speed, as ratios measured in one run"

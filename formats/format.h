@@ -22,8 +22,10 @@ typedef struct lam_format {
    * They depend on the model (a scene needs only its own setting). */
   const char *const *(*support)(lam_arena *arena, const lam_model *model);
   /* Reads a quad mesh / a triangle mesh from bytes. place.file names the file; errors name its line. NULL: not read. */
-  bool (*read_mesh)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors, lam_mesh *mesh);
-  bool (*read_triangles)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors, lam_trimesh *mesh);
+  bool (*read_mesh)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                    lam_mesh *mesh);
+  bool (*read_triangles)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                         lam_trimesh *mesh);
 } lam_format;
 
 extern const lam_format *const lam_formats[];

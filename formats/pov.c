@@ -75,8 +75,8 @@ static lam_vec3 placed(const lam_frame *frame, lam_vec3 x) {
   return lam_along(lam_along(lam_along(frame->origin, x.x, frame->axis[0]), x.y, frame->axis[1]), x.z, frame->axis[2]);
 }
 
-/* Points of a symmetric model lie equally far out but for rounding: the first one counts, so that the camera does not depend on the
- * last bit. Meters. */
+/* Points of a symmetric model lie equally far out but for rounding: the first one counts, so that the camera does not
+ * depend on the last bit. Meters. */
 static const double same_reach = 1e-6;
 
 /* The points of the model that lie furthest out in 26 directions: what a camera must see. */

@@ -25,8 +25,8 @@ static json_t *stage_entry(const lam_stage *stage) {
   for (int i = 0; i < stage->measure_count; i++) {
     const lam_measure *m = &stage->measures[i];
     json_object_set_new(measures, m->name,
-                        json_pack("{s:o, s:o, s:s, s:I}", "max", number(m->max), "mean", number(m->mean), "unit", m->unit,
-                                  "count", (json_int_t)m->count));
+                        json_pack("{s:o, s:o, s:s, s:I}", "max", number(m->max), "mean", number(m->mean), "unit",
+                                  m->unit, "count", (json_int_t)m->count));
   }
   json_object_set_new(entry, "measures", measures);
   if (stage->note_count) {
@@ -48,7 +48,8 @@ static void path(const lam_model *model, int i, lam_text *name) {
 static lam_status write(const lam_model *model, int i, lam_text *out) {
   (void)i;
   json_t *stages = json_array();
-  for (int s = 0; s < model->report->stage_count; s++) json_array_append_new(stages, stage_entry(&model->report->stages[s]));
+  for (int s = 0; s < model->report->stage_count; s++)
+    json_array_append_new(stages, stage_entry(&model->report->stages[s]));
   json_t *root = json_pack("{s:s, s:s, s:s, s:s, s:o}", "name", model->name, "title", model->title, "source",
                            model->source ? model->source : "", "lamella", model->version, "stages", stages);
   char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;

@@ -1,20 +1,17 @@
 /* lamella: surfaces, discrete nets and the parts they are built from.
  *
  * Conventions, once:
- *   units       SI inside: meters, radians, kilograms; z is up. OpenSCAD, STL, DXF and SVG are in millimeters; glTF in meters,
- *               y up (one root node turns it).
- *   surfaces    x(u,v) with derivatives; boundary curves r1: v = 0, r3: v = 1 (both along u), r2: u = 0, r4: u = 1 (along v).
- *   nets        two families of polylines: family 0 runs along u, family 1 along v. A regular vertex star lists its neighbors as
- *               +u, +v, -u, -v: counterclockwise around the normal. Irregular vertices are legal everywhere; what needs a regular
- *               star skips them, and the report says how many.
- *   grids       vertex (i, j) has index i * m + j, i along family 0.
- *   scale       what is minimized is scale-free: lengths are divided by the net's mean edge. A tolerance means the same on a
- *               desk model and on a roof.
- *   arguments   inputs first, then what is changed, then outputs, errors last.
- *   memory      comes from a lam_arena that the caller makes and frees; results live as long as it does. Allocation does not
- *               fail by NULL: it jumps to LAM_ARENA_TRY.
- *   failures    a bug of the caller: assert. Wrong input: messages in lam_errors (file, line, key, what was given, what is
- *               expected). Non-convergence: a result, with its residual and the reason.
+ *   units       SI inside: meters, radians, kilograms; z is up. OpenSCAD, STL, DXF and SVG are in millimeters; glTF in
+ * meters, y up (one root node turns it). surfaces    x(u,v) with derivatives; boundary curves r1: v = 0, r3: v = 1
+ * (both along u), r2: u = 0, r4: u = 1 (along v). nets        two families of polylines: family 0 runs along u, family
+ * 1 along v. A regular vertex star lists its neighbors as +u, +v, -u, -v: counterclockwise around the normal. Irregular
+ * vertices are legal everywhere; what needs a regular star skips them, and the report says how many. grids       vertex
+ * (i, j) has index i * m + j, i along family 0. scale       what is minimized is scale-free: lengths are divided by the
+ * net's mean edge. A tolerance means the same on a desk model and on a roof. arguments   inputs first, then what is
+ * changed, then outputs, errors last. memory      comes from a lam_arena that the caller makes and frees; results live
+ * as long as it does. Allocation does not fail by NULL: it jumps to LAM_ARENA_TRY. failures    a bug of the caller:
+ * assert. Wrong input: messages in lam_errors (file, line, key, what was given, what is expected). Non-convergence: a
+ * result, with its residual and the reason.
  *
  * A whole run:
  *   lam_arena *arena = lam_arena_new();

@@ -45,8 +45,8 @@ static void print_solution(const lam_net_result *r) {
   double n = s->iterations > 0 ? s->iterations : 1;
   printf("  %s, %d iterations (%d factorizations), residual %.1e, %.0f ms in all\n", r->reason, s->iterations,
          s->factorizations, s->residual, s->seconds_total * 1e3);
-  printf("  ms per iteration: assembly %.2f, factorize %.2f, solve %.2f, together %.2f\n", s->seconds_assembly / n * 1e3,
-         s->seconds_factor / n * 1e3, s->seconds_solve / n * 1e3,
+  printf("  ms per iteration: assembly %.2f, factorize %.2f, solve %.2f, together %.2f\n",
+         s->seconds_assembly / n * 1e3, s->seconds_factor / n * 1e3, s->seconds_solve / n * 1e3,
          (s->seconds_assembly + s->seconds_factor + s->seconds_solve) / n * 1e3);
   for (int i = 0; i < r->measure_count; i++)
     if (strstr("star_planarity face_planarity angle_deviation shortest_edge foldovers", r->measures[i].name))
@@ -55,7 +55,8 @@ static void print_solution(const lam_net_result *r) {
 
 /* The same matrix again, factorized and solved by CHOLMOD alone. */
 static void compare_factor(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
-  double unit = lam_net_mean_edge(net, net->mesh.vertices), iteration[repeats], alone[repeats], factor[repeats], ratio[repeats];
+  double unit = lam_net_mean_edge(net, net->mesh.vertices), iteration[repeats], alone[repeats], factor[repeats],
+         ratio[repeats];
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, net->mesh.vertex_count);
   for (int v = 0; v < net->mesh.vertex_count; v++) x[v] = lam_scale(net->mesh.vertices[v], 1 / unit);
   lam_errors errors = {.arena = arena};
@@ -68,7 +69,8 @@ static void compare_factor(lam_arena *arena, const lam_net_job *job, const lam_n
   const int *columns = lam_system_columns(system);
   lam_factor *L = lam_factor_analyze(arena, n, columns, lam_system_rows(system), lam_system_order(system));
   printf("  pattern and symbolic analysis, once: %.1f ms\n", (now() - t) * 1e3);
-  double *values = LAM_NEW(arena, double, columns[n]), *gradient = LAM_NEW(arena, double, n), *step = LAM_NEW(arena, double, n);
+  double *values = LAM_NEW(arena, double, columns[n]), *gradient = LAM_NEW(arena, double, n),
+         *step = LAM_NEW(arena, double, n);
   lam_weights weights = {1, 1, 0};
   for (int i = 0; i < repeats; i++) { /* an iteration, then CHOLMOD's part of it alone; pairs see the same noise */
     t = now();
@@ -86,9 +88,10 @@ static void compare_factor(lam_arena *arena, const lam_net_job *job, const lam_n
     ratio[i] = iteration[i] / alone[i] * 1e-3; /* spread_of gives thousandths */
   }
   lam_factor_stats stats = lam_factor_get_stats(L);
-  spread whole = spread_of(iteration, repeats), cholmod = spread_of(alone, repeats), numeric = spread_of(factor, repeats),
-         ratios = spread_of(ratio, repeats);
-  printf("  again, %d times, median (least): one iteration %.1f (%.1f) ms; CHOLMOD on the same matrix: factorize %.1f (%.1f), "
+  spread whole = spread_of(iteration, repeats), cholmod = spread_of(alone, repeats),
+         numeric = spread_of(factor, repeats), ratios = spread_of(ratio, repeats);
+  printf("  again, %d times, median (least): one iteration %.1f (%.1f) ms; CHOLMOD on the same matrix: factorize %.1f "
+         "(%.1f), "
          "with solve %.1f (%.1f); %.2f Gflop, %.1f M entries\n",
          repeats, whole.median, whole.least, numeric.median, numeric.least, cholmod.median, cholmod.least,
          stats.flops * 1e-9, stats.entries * 1e-6);
@@ -120,7 +123,8 @@ static bool bench_anet(lam_arena *arena, lam_errors *errors) {
   if (!parse(arena, anet_design, errors, &design)) return false;
   const lam_net_common *common = design.net.common;
   lam_surface surface = lam_surface_make(arena, &design.surface, errors);
-  if (!lam_net_start(arena, &surface, LAM_CHART_ASYMPTOTIC, common->grid, 0, design.surface.common, (lam_place){0}, errors, &mesh) ||
+  if (!lam_net_start(arena, &surface, LAM_CHART_ASYMPTOTIC, common->grid, 0, design.surface.common, (lam_place){0},
+                     errors, &mesh) ||
       !lam_net_build(arena, &mesh, (lam_place){0}, errors, &net))
     return false;
   lam_mesh_perturb(&net.mesh, .05 * lam_net_mean_edge(&net, net.mesh.vertices), 1);
@@ -154,7 +158,8 @@ static int bench(lam_arena *arena, int argc, char **argv) {
     return help ? puts(usage) < 0 : lam_complain_plain(2, "bench: %s is not expected here\n%s", argv[1], usage);
   }
   const char *folder = argc > 1 ? argv[1] : "tests/cases/nets";
-  printf("dense kernels: %s%s%s\n", lam_blas_kernel(), lam_blas_advice() ? "; " : "", lam_blas_advice() ? lam_blas_advice() : "");
+  printf("dense kernels: %s%s%s\n", lam_blas_kernel(), lam_blas_advice() ? "; " : "",
+         lam_blas_advice() ? lam_blas_advice() : "");
   bool done = bench_anet(arena, &errors) && bench_planar(arena, folder, "bench_wavy_69x70.obj", &errors) &&
               bench_planar(arena, folder, "bench_torus_69x70.obj", &errors);
   return done ? 0 : lam_complain(&errors);

@@ -1,7 +1,6 @@
 /* lamella build DESIGN: from a design file to a folder of files. */
+#include "design/build.h"
 #include "cli/complain.h"
-#include "core/file.h"
-#include "design/tree.h"
 #include "cli/mesh_files.h"
 #include "cli/output.h"
 #include "cli/references.h"
@@ -12,20 +11,20 @@
 #include "cli/verbs.h"
 #include "core/file.h"
 #include "core/text.h"
-#include "design/build.h"
+#include "design/tree.h"
 #include "net/kind.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static const char usage[] =
-    "usage: lamella build DESIGN.yaml [-o DIR] [--set KEY=VALUE]... [--only FORMAT,...] [--deps FILE] [--quiet] [--timings]\n"
-    "  -o DIR           the folder for the files (default: the design's name)\n"
-    "  --set KEY=VALUE  overrides a key of the design, as in --set net.grid=[40,40]\n"
-    "  --only FORMATS   writes only these formats (see lamella list formats)\n"
-    "  --deps FILE      writes a make rule: what DIR/report.json was made from\n"
-    "  --quiet          prints errors only\n"
-    "  --timings        adds the seconds of every stage to the report";
+static const char usage[] = "usage: lamella build DESIGN.yaml [-o DIR] [--set KEY=VALUE]... [--only FORMAT,...] "
+                            "[--deps FILE] [--quiet] [--timings]\n"
+                            "  -o DIR           the folder for the files (default: the design's name)\n"
+                            "  --set KEY=VALUE  overrides a key of the design, as in --set net.grid=[40,40]\n"
+                            "  --only FORMATS   writes only these formats (see lamella list formats)\n"
+                            "  --deps FILE      writes a make rule: what DIR/report.json was made from\n"
+                            "  --quiet          prints errors only\n"
+                            "  --timings        adds the seconds of every stage to the report";
 
 typedef struct arguments {
   const char *path, *folder, *only, *deps;
@@ -48,14 +47,22 @@ static int read_arguments(lam_arena *arena, int argc, char **argv, arguments *ou
     const char *a = argv[i];
     const char **target = NULL;
     if (strcmp(a, "--help") == 0) return puts(usage) < 0;
-    if (strcmp(a, "--quiet") == 0) out->quiet = true;
-    else if (strcmp(a, "--timings") == 0) out->timings = true;
-    else if (strcmp(a, "-o") == 0) target = &out->folder;
-    else if (strcmp(a, "--only") == 0) target = &out->only;
-    else if (strcmp(a, "--deps") == 0) target = &out->deps;
-    else if (strcmp(a, "--set") == 0) target = &out->overrides[out->override_count++].text;
-    else if (a[0] == '-' || out->path) return lam_complain_plain(2, "build: %s is not expected here\n%s", a, usage);
-    else out->path = a;
+    if (strcmp(a, "--quiet") == 0)
+      out->quiet = true;
+    else if (strcmp(a, "--timings") == 0)
+      out->timings = true;
+    else if (strcmp(a, "-o") == 0)
+      target = &out->folder;
+    else if (strcmp(a, "--only") == 0)
+      target = &out->only;
+    else if (strcmp(a, "--deps") == 0)
+      target = &out->deps;
+    else if (strcmp(a, "--set") == 0)
+      target = &out->overrides[out->override_count++].text;
+    else if (a[0] == '-' || out->path)
+      return lam_complain_plain(2, "build: %s is not expected here\n%s", a, usage);
+    else
+      out->path = a;
     if (target && !(*target = value_of(argc, argv, &i))) return 2;
   }
   return out->path ? -1 : lam_complain_plain(2, "build: expected a design file\n%s", usage);
@@ -103,7 +110,7 @@ static void write_deps(lam_arena *arena, const arguments *given, const char *fol
   add_name(&text, lam_arena_printf(arena, "%s/report.json", folder));
   lam_text_add(&text, ":");
   for (int i = -1; i < files->count + output->template_count; i++) {
-    const char *name = i < 0               ? given->path
+    const char *name = i < 0              ? given->path
                        : i < files->count ? files->paths[i]
                                           : output->used_templates[i - files->count];
     lam_text_add(&text, " \\\n  ");
@@ -123,7 +130,8 @@ static int finish(lam_arena *arena, const arguments *given, const lam_model *mod
                   const lam_progress *progress) {
   lam_errors errors = {.arena = arena}, notes = {.arena = arena};
   const char *folder = given->folder ? given->folder : model->name;
-  lam_output output = {.folder = folder, .only = given->only, .templates = lam_template_dir(arena), .progress = progress};
+  lam_output output = {
+      .folder = folder, .only = given->only, .templates = lam_template_dir(arena), .progress = progress};
   if (!output.templates) return lam_complain_plain(1, "the templates folder is not found; set LAMELLA_TEMPLATES");
   if (!given->timings) forget_times(model->report);
   lam_output_write(arena, model, &output, &notes, &errors);
@@ -150,7 +158,8 @@ static int build(lam_arena *arena, int argc, char **argv) {
   size_t count = 0;
   lam_design *design = LAM_NEW(arena, lam_design, 1);
   if (given.only) lam_output_check(given.only, &errors);
-  if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK) return lam_complain(&errors);
+  if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK)
+    return lam_complain(&errors);
   lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, design);
   if (errors.count == 0) lam_references_check(design, &errors);
   if (errors.count) return lam_complain(&errors);

@@ -1,12 +1,12 @@
 /* lamella check DESIGN [--set KEY=VALUE]...: reads a design, finds everything wrong with it, and says what would be
  * built. */
 #include "cli/complain.h"
-#include "core/file.h"
 #include "cli/references.h"
 #include "cli/run.h"
 #include "cli/value_text.h"
 #include "cli/verbs.h"
 #include "cli/wrap.h"
+#include "core/file.h"
 #include "design/design.h"
 #include "design/tree.h"
 #include "formats/format.h"
@@ -105,7 +105,8 @@ static int check(lam_arena *arena, int argc, char **argv) {
   size_t count = 0;
   int status = read_arguments(arena, argc, argv, &given);
   if (status >= 0) return status;
-  if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK) return lam_complain(&errors);
+  if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK)
+    return lam_complain(&errors);
   if (lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, &design)) {
     lam_references_check(&design, &errors);
   }

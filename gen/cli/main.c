@@ -49,8 +49,9 @@ static int version(void) {
   return 0;
 }
 
-/* A BLAS that does not recognize the processor falls back to kernels of half the speed. The choice is made when the library
- * loads, so the program starts itself again with a better one; once, and never against the user's own setting. */
+/* A BLAS that does not recognize the processor falls back to kernels of half the speed. The choice is made when the
+ * library loads, so the program starts itself again with a better one; once, and never against the user's own setting.
+ */
 static void choose_blas(char **argv) {
   const char *better = lam_blas_better_kernel();
   if (!better || getenv("OPENBLAS_CORETYPE")) return;

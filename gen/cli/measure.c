@@ -29,15 +29,19 @@ static int read_arguments(int argc, char **argv, arguments *out) {
   for (int i = 1; i < argc; i++) {
     const char *a = argv[i];
     if (strcmp(a, "--help") == 0) return puts(usage) < 0;
-    if (strcmp(a, "--json") == 0) out->json = true;
-    else if (strcmp(a, "--as") == 0 && i + 1 < argc) out->as = argv[++i];
+    if (strcmp(a, "--json") == 0)
+      out->json = true;
+    else if (strcmp(a, "--as") == 0 && i + 1 < argc)
+      out->as = argv[++i];
     else if (strcmp(a, "--angle") == 0 && i + 1 < argc) {
       char *end;
       out->angle = strtod(argv[++i], &end);
       if (*end || end == argv[i] || !(out->angle > 0 && out->angle < 180))
         return lam_complain_plain(2, "measure: --angle %s; expected degrees between 0 and 180", argv[i]);
-    } else if (a[0] == '-' || out->path) return lam_complain_plain(2, "measure: %s is not expected here\n%s", a, usage);
-    else out->path = a;
+    } else if (a[0] == '-' || out->path)
+      return lam_complain_plain(2, "measure: %s is not expected here\n%s", a, usage);
+    else
+      out->path = a;
   }
   return out->path ? -1 : lam_complain_plain(2, "measure: expected a mesh file\n%s", usage);
 }
@@ -71,8 +75,8 @@ static int measure(lam_arena *arena, int argc, char **argv) {
       !lam_net_build(arena, &mesh, (lam_place){.file = given.path}, &errors, &net))
     return lam_complain(&errors);
   int count;
-  lam_measure *measures = lam_net_measure(arena, &net, net.mesh.vertices, given.angle * M_PI / 180,
-                                          kind ? kind->measures : NULL, &count);
+  lam_measure *measures =
+      lam_net_measure(arena, &net, net.mesh.vertices, given.angle * M_PI / 180, kind ? kind->measures : NULL, &count);
   if (given.json) {
     print_json(given.path, &net, measures, count);
   } else {

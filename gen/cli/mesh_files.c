@@ -5,7 +5,8 @@
 enum { largest_mesh_file = 1 << 30 };
 
 /* The format and content of a mesh file; NULL with a message. */
-static const lam_format *open_mesh(lam_arena *arena, const char *path, lam_errors *errors, char **bytes, size_t *count) {
+static const lam_format *open_mesh(lam_arena *arena, const char *path, lam_errors *errors, char **bytes,
+                                   size_t *count) {
   const lam_format *format = lam_format_for(path);
   if (!format) {
     lam_error_add(errors, (lam_place){.file = path}, NULL, "not a mesh file that is read; expected .obj or .stl");

@@ -1,11 +1,11 @@
 /* lamella new DESIGN [-o FILE]: copies a shipped design to start from. */
 #include "cli/complain.h"
-#include "core/file.h"
-#include "design/tree.h"
 #include "cli/run.h"
 #include "cli/templates.h"
 #include "cli/verbs.h"
 #include "core/error.h"
+#include "core/file.h"
+#include "design/tree.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -109,8 +109,10 @@ lam_status lam_output_write(lam_arena *arena, const lam_model *model, lam_output
     bool wanted = !output->only || listed(output->only, format->name);
     if (!wanted || !format->count || format->count(model) == 0) continue;
     lam_progress_tell(output->progress, format->name, (double)i / lam_format_count, "");
-    if (format->write) status = write_format(arena, model, format, output, errors);
-    else if (render(arena, model, output, notes) == LAM_NO_MEMORY) status = LAM_NO_MEMORY;
+    if (format->write)
+      status = write_format(arena, model, format, output, errors);
+    else if (render(arena, model, output, notes) == LAM_NO_MEMORY)
+      status = LAM_NO_MEMORY;
   }
   return status;
 }

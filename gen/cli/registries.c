@@ -1,7 +1,7 @@
 #include "cli/registries.h"
-#include "core/file.h"
 #include "cli/templates.h"
 #include "con/constraint.h"
+#include "core/file.h"
 #include "core/material.h"
 #include "design/design.h"
 #include "design/tree.h"

@@ -1,11 +1,11 @@
 /* lamella show NAME: the reference page of anything that is listed. */
 #include "cli/complain.h"
-#include "core/file.h"
 #include "cli/page.h"
 #include "cli/registries.h"
 #include "cli/run.h"
 #include "cli/verbs.h"
 #include "cli/wrap.h"
+#include "core/file.h"
 #include "design/design.h"
 #include "design/tree.h"
 

@@ -64,15 +64,17 @@ static const lam_key angle_keys[] = {{.name = "angle",
                                       .doc = "Reentrant corners of the border, which have four edges, take part."},
                                      {0}};
 
-const lam_constraint_kind lam_con_angle = {
-    {"angle", "Constant angle",
-     "The two families of polylines cross at the same angle everywhere, so that all nodes are alike. On an asymptotic net this "
-     "fixes the ratio of the principal curvatures: tan^2(angle / 2) = -k1 / k2.",
-     "unit(e1 - e3) . unit(e2 - e4) = cos(angle)", "thesis 3.1, definition 4", angle_keys, sizeof(lam_angle_params)},
-    add_given};
+const lam_constraint_kind lam_con_angle = {{"angle", "Constant angle",
+                                            "The two families of polylines cross at the same angle everywhere, so that "
+                                            "all nodes are alike. On an asymptotic net this "
+                                            "fixes the ratio of the principal curvatures: tan^2(angle / 2) = -k1 / k2.",
+                                            "unit(e1 - e3) . unit(e2 - e4) = cos(angle)", "thesis 3.1, definition 4",
+                                            angle_keys, sizeof(lam_angle_params)},
+                                           add_given};
 
-const lam_constraint_kind lam_con_orthogonal = {
-    {"orthogonal", "Right angles",
-     "The two families of polylines cross at 90 degrees everywhere. On an asymptotic net the surface is then a minimal surface.",
-     "unit(e1 - e3) . unit(e2 - e4) = 0", "thesis 3.1, corrected", lam_star_keys, sizeof(lam_star_params)},
-    add_orthogonal};
+const lam_constraint_kind lam_con_orthogonal = {{"orthogonal", "Right angles",
+                                                 "The two families of polylines cross at 90 degrees everywhere. On an "
+                                                 "asymptotic net the surface is then a minimal surface.",
+                                                 "unit(e1 - e3) . unit(e2 - e4) = 0", "thesis 3.1, corrected",
+                                                 lam_star_keys, sizeof(lam_star_params)},
+                                                add_orthogonal};

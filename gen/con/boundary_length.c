@@ -52,9 +52,9 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   }
 }
 
-const lam_constraint_kind lam_con_boundary_length = {
-    {"boundary-length", "Boundary length",
-     "Every side of the boundary keeps its length at the start, while its vertices may move. Keeps a net from shrinking or growing "
-     "when nothing else does.",
-     "sum |v(k+1) - v(k)| / L - 1 = 0", "thesis 3.7", NULL, 0},
-    add};
+const lam_constraint_kind lam_con_boundary_length = {{"boundary-length", "Boundary length",
+                                                      "Every side of the boundary keeps its length at the start, while "
+                                                      "its vertices may move. Keeps a net from shrinking or growing "
+                                                      "when nothing else does.",
+                                                      "sum |v(k+1) - v(k)| / L - 1 = 0", "thesis 3.7", NULL, 0},
+                                                     add};

@@ -67,16 +67,16 @@ static const lam_key handle_keys[] = {{.name = "vertex",
                                        .doc = "Where the vertex has to be."},
                                       {0}};
 
-const lam_constraint_kind lam_con_closeness = {
-    {"closeness", "Closeness to the start",
-     "Holds every vertex near its place at the start. Its weight fades with the fairness: it guides the first steps and is gone in "
-     "the result.",
-     "v - v_start -> small", "thesis 3.7", NULL, 0},
-    add_closeness};
+const lam_constraint_kind lam_con_closeness = {{"closeness", "Closeness to the start",
+                                                "Holds every vertex near its place at the start. Its weight fades with "
+                                                "the fairness: it guides the first steps and is gone in "
+                                                "the result.",
+                                                "v - v_start -> small", "thesis 3.7", NULL, 0},
+                                               add_closeness};
 
-const lam_constraint_kind lam_con_handle = {
-    {"handle", "Handle",
-     "A vertex that has to be at a given place. Handles at the corners of an open grid belong to no vertex star: take vertices one row "
-     "further in.",
-     "v = target", "thesis 3.7", handle_keys, sizeof(lam_handle_params)},
-    add_handle};
+const lam_constraint_kind lam_con_handle = {{"handle", "Handle",
+                                             "A vertex that has to be at a given place. Handles at the corners of an "
+                                             "open grid belong to no vertex star: take vertices one row "
+                                             "further in.",
+                                             "v = target", "thesis 3.7", handle_keys, sizeof(lam_handle_params)},
+                                            add_handle};

@@ -1,5 +1,5 @@
-/* Constraints: one kind per file; the list is con/registry.c. A kind adds blocks of elements to a problem and owns their kernel.
- * All lengths in a problem are in units of the net's mean edge at the start. */
+/* Constraints: one kind per file; the list is con/registry.c. A kind adds blocks of elements to a problem and owns
+ * their kernel. All lengths in a problem are in units of the net's mean edge at the start. */
 #ifndef LAM_CON_CONSTRAINT_H
 #define LAM_CON_CONSTRAINT_H
 
@@ -12,18 +12,18 @@
 /* What a constraint is put on. */
 typedef struct lam_scope {
   lam_problem *problem;
-  const lam_net *net;        /* connectivity; positions are those of problem->x */
-  double unit;               /* meters per solver unit */
-  const lam_tree *reference; /* NULL: none */
+  const lam_net *net;                /* connectivity; positions are those of problem->x */
+  double unit;                       /* meters per solver unit */
+  const lam_tree *reference;         /* NULL: none */
   const lam_trimesh *reference_mesh; /* in solver units */
   lam_errors *errors;
-  long skipped;              /* out: irregular vertices that a constraint on regular stars left out */
+  long skipped; /* out: irregular vertices that a constraint on regular stars left out */
 } lam_scope;
 
 typedef struct lam_constraint_kind {
   lam_row_head head;
-  /* Adds the blocks. params: the struct of head.keys, or NULL when it has none. weight multiplies the residuals. On wrong input
-   * adds to scope->errors. */
+  /* Adds the blocks. params: the struct of head.keys, or NULL when it has none. weight multiplies the residuals. On
+   * wrong input adds to scope->errors. */
   void (*add)(lam_scope *scope, const void *params, double weight, lam_place place);
 } lam_constraint_kind;
 
@@ -52,12 +52,12 @@ typedef struct lam_fairness_params {
   int of; /* lam_fair */
 } lam_fairness_params;
 typedef struct lam_handle_params {
-  int vertex[2];   /* grid position, or {index, -1} */
-  double to[3];    /* meters */
+  int vertex[2]; /* grid position, or {index, -1} */
+  double to[3];  /* meters */
 } lam_handle_params;
 
-/* Elements of all regular stars: nodes center, +u, +v, -u, -v (5 each). With border, reentrant corners of the boundary (four
- * edges) belong to them. Counts irregular vertices in scope->skipped. */
+/* Elements of all regular stars: nodes center, +u, +v, -u, -v (5 each). With border, reentrant corners of the boundary
+ * (four edges) belong to them. Counts irregular vertices in scope->skipped. */
 int lam_scope_stars(lam_scope *scope, bool border, const int **nodes);
 /* Border vertices with one inner edge: nodes center, then border, inner, border counterclockwise (4 each). */
 int lam_scope_half_stars(lam_scope *scope, const int **nodes);
@@ -65,7 +65,8 @@ int lam_scope_half_stars(lam_scope *scope, const int **nodes);
 void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double weight, int count, const int *vertices,
                        const lam_vec3 *targets);
 /* Edges of the length that params ask for. */
-void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, double weight, lam_edge_length_params params);
+void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, double weight,
+                         lam_edge_length_params params);
 /* Vertices glide on straight lines through point along direction (solver units). */
 void lam_glide_add(lam_scope *scope, double weight, int count, const int *vertices, const lam_vec3 *points,
                    const lam_vec3 *directions);

@@ -1,7 +1,8 @@
 #include "con/constraint.h"
 #include "con/kernel.h"
 
-/* Length of an edge: r = (|v1 - v0|^2 / L^2 - 1) / 2  (dimensionless; the half makes it a relative error);  p[0] = 1 / L^2 */
+/* Length of an edge: r = (|v1 - v0|^2 / L^2 - 1) / 2  (dimensionless; the half makes it a relative error);  p[0] = 1 /
+ * L^2 */
 static void edge_length(int n, const double *x, const double *p, double *r, double *J) {
   (void)n;
   lam_vec3 E = lam_sub(lam_local(x, 1), lam_local(x, 0));
@@ -12,7 +13,8 @@ static void edge_length(int n, const double *x, const double *p, double *r, doub
   lam_add_to(J, 0, lam_scale(E, -p[0]));
 }
 
-void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, double weight, lam_edge_length_params given) {
+void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, double weight,
+                         lam_edge_length_params given) {
   const lam_net *net = scope->net;
   lam_arena *arena = scope->problem->arena;
   int count = 0, *nodes = LAM_NEW(arena, int, 2 * net->edge_count);
@@ -21,8 +23,8 @@ void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, doub
     const lam_edge *edge = &net->edges[e];
     if (given.boundary_only && edge->face[1] >= 0) continue;
     double L = given.length > 0 ? given.length / scope->unit
-                                 : lam_distance(lam_local(scope->problem->x, edge->vertex[0]),
-                                                lam_local(scope->problem->x, edge->vertex[1]));
+                                : lam_distance(lam_local(scope->problem->x, edge->vertex[0]),
+                                               lam_local(scope->problem->x, edge->vertex[1]));
     nodes[2 * count] = edge->vertex[0];
     nodes[2 * count + 1] = edge->vertex[1];
     lengths[count++] = 1 / (L * L);
@@ -60,8 +62,9 @@ static const lam_key keys[] = {{.name = "length",
                                 .doc = "Only edges of the boundary."},
                                {0}};
 
-const lam_constraint_kind lam_con_edge_length = {
-    {"edge-length", "Edge lengths",
-     "Edges of a given length, or each of its length at the start. With one length for all, the net is a Chebyshev net.",
-     "(|v1 - v0|^2 / L^2 - 1) / 2 = 0", "thesis 3.1, definition 3", keys, sizeof(lam_edge_length_params)},
-    add};
+const lam_constraint_kind lam_con_edge_length = {{"edge-length", "Edge lengths",
+                                                  "Edges of a given length, or each of its length at the start. With "
+                                                  "one length for all, the net is a Chebyshev net.",
+                                                  "(|v1 - v0|^2 / L^2 - 1) / 2 = 0", "thesis 3.1, definition 3", keys,
+                                                  sizeof(lam_edge_length_params)},
+                                                 add};

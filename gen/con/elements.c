@@ -2,7 +2,8 @@
 
 static int valence_of(const lam_net *net, int v) { return net->ring_start[v + 1] - net->ring_start[v]; }
 
-/* The family of the edge from v to its first neighbor. An edge lies on one polyline; edges are found through the faces' order. */
+/* The family of the edge from v to its first neighbor. An edge lies on one polyline; edges are found through the faces'
+ * order. */
 static int *first_families(lam_arena *arena, const lam_net *net) {
   int *family = LAM_NEW(arena, int, net->mesh.vertex_count);
   for (int e = 0; e < net->edge_count; e++)
@@ -46,10 +47,11 @@ int lam_scope_half_stars(lam_scope *scope, const int **nodes) {
   return count;
 }
 
-const lam_key lam_star_keys[] = {{.name = "border",
-                                  .type = LAM_KEY_FLAG,
-                                  .offset = offsetof(lam_star_params, border),
-                                  .count = 1,
-                                  .initial = "no",
-                                  .doc = "Vertices of the border take part: half stars, and reentrant corners, which have four edges."},
-                                 {0}};
+const lam_key lam_star_keys[] = {
+    {.name = "border",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(lam_star_params, border),
+     .count = 1,
+     .initial = "no",
+     .doc = "Vertices of the border take part: half stars, and reentrant corners, which have four edges."},
+    {0}};

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-/* A vertex on a straight line through P along the unit direction d: with unit vectors a, b orthogonal to d and to each other,
- *   r = (a.(v - P), b.(v - P))   (2 rows, length);  p = P, a, b */
+/* A vertex on a straight line through P along the unit direction d: with unit vectors a, b orthogonal to d and to each
+ * other, r = (a.(v - P), b.(v - P))   (2 rows, length);  p = P, a, b */
 static void on_line(int n, const double *x, const double *p, double *r, double *J) {
   for (int i = 0; i < 2; i++) {
     const double *a = p + 3 + 3 * i;
@@ -43,8 +43,8 @@ void lam_glide_add(lam_scope *scope, double weight, int count, const int *vertic
                                               .params = params});
 }
 
-/* The boundary curve at the start, followed by a vertex: a polyline with its foot point and tangent found anew every iteration.
- * Only the segments near the last foot are searched, so a step costs the same for any boundary length. */
+/* The boundary curve at the start, followed by a vertex: a polyline with its foot point and tangent found anew every
+ * iteration. Only the segments near the last foot are searched, so a step costs the same for any boundary length. */
 typedef struct track {
   int count; /* points; the curve is closed when the loop has no corner */
   bool closed;
@@ -99,7 +99,8 @@ static void follow(struct lam_block *block, const double *x, const int *offset, 
   }
 }
 
-/* A boundary loop is cut at its corners (boundary vertices of valence 2): corners stay, the vertices between them glide. */
+/* A boundary loop is cut at its corners (boundary vertices of valence 2): corners stay, the vertices between them
+ * glide. */
 static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
   (void)params, (void)place;
   const lam_net *net = scope->net;
@@ -152,7 +153,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_glide = {
     {"glide", "Gliding on the boundary",
-     "Boundary vertices stay on the boundary curve of the start and may slide along it; corners stay where they are. Straight "
+     "Boundary vertices stay on the boundary curve of the start and may slide along it; corners stay where they are. "
+     "Straight "
      "edges stay straight.",
      "a.(v - P) = b.(v - P) = 0, foot point P and normals a, b found anew every iteration", "thesis 3.7", NULL, 0},
     add};

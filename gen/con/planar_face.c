@@ -39,7 +39,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_planar_face = {
     {"planar-face", "Planar faces",
-     "Every quad is flat, so that it can be cut from sheet or glass. A net of planar quads discretizes a conjugate net; start "
+     "Every quad is flat, so that it can be cut from sheet or glass. A net of planar quads discretizes a conjugate "
+     "net; start "
      "from one (principal lines, for instance), or the quads collapse to slivers on the way.",
      "N.(v1 - v0) / ((|v2 - v0| + |v3 - v1|) / 2) = 0, N = unit((v2 - v0) x (v3 - v1))", "thesis 3.1", NULL, 0},
     add};

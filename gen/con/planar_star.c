@@ -110,7 +110,7 @@ static void add_fans(lam_scope *scope, double weight) {
   for (int valence = 3; valence <= most_valence; valence++) {
     int count = 0, *nodes = NULL;
     for (int pass = 0; pass < 2; pass++) {
-      if (pass) nodes = LAM_NEW(scope->problem->arena, int, count * (valence + 1));
+      if (pass) nodes = LAM_NEW(scope->problem->arena, int, count *(valence + 1));
       count = 0;
       for (int v = 0; valence != 4 && v < net->mesh.vertex_count; v++) {
         if (net->boundary[v] || net->ring_start[v + 1] - net->ring_start[v] != valence) continue;
@@ -139,7 +139,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   int count = lam_scope_stars(scope, given && given->border, &nodes);
   scope->skipped = skipped; /* irregular stars are handled below, but for the largest */
   for (int v = 0; v < scope->net->mesh.vertex_count; v++)
-    scope->skipped += !scope->net->boundary[v] && scope->net->ring_start[v + 1] - scope->net->ring_start[v] > most_valence;
+    scope->skipped +=
+        !scope->net->boundary[v] && scope->net->ring_start[v + 1] - scope->net->ring_start[v] > most_valence;
   lam_problem_add(scope->problem, (lam_block){.name = "planar-star",
                                               .kernel = planar_star,
                                               .rows = 2,
@@ -153,7 +154,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_planar_star = {
     {"planar-star", "Planar vertex stars",
-     "Every interior vertex lies in one plane with its neighbors: the polylines then follow asymptotic curves, and strips "
+     "Every interior vertex lies in one plane with its neighbors: the polylines then follow asymptotic curves, and "
+     "strips "
      "normal to the net unroll straight. Possible only where the surface is saddle-shaped (K < 0); on a dome the only "
      "solution is a plane. Vertices of any valence take part.",
      "N.e1 = N.e2 = 0, N = unit((e1 - e3) x (e2 - e4))", "thesis 3.3", lam_star_keys, sizeof(lam_star_params)},

@@ -19,8 +19,10 @@ void lam_error_add(lam_errors *errors, lam_place place, const char *key, const c
   lam_error *error = LAM_NEW(errors->arena, lam_error, 1);
   place.file = lam_arena_copy(errors->arena, place.file);
   *error = (lam_error){.place = place, .key = lam_arena_copy(errors->arena, key), .text = text};
-  if (errors->last) errors->last->next = error;
-  else errors->first = error;
+  if (errors->last)
+    errors->last->next = error;
+  else
+    errors->first = error;
   errors->last = error;
   errors->count++;
 }

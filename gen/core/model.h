@@ -40,7 +40,13 @@ typedef struct lam_material {
 } lam_material;
 
 /* ---- flat patterns ---- */
-typedef enum lam_layer { LAM_LAYER_CUT, LAM_LAYER_ENGRAVE, LAM_LAYER_LABEL, LAM_LAYER_SHEET, LAM_LAYER_COUNT } lam_layer;
+typedef enum lam_layer {
+  LAM_LAYER_CUT,
+  LAM_LAYER_ENGRAVE,
+  LAM_LAYER_LABEL,
+  LAM_LAYER_SHEET,
+  LAM_LAYER_COUNT
+} lam_layer;
 
 typedef struct lam_path {
   lam_layer layer;
@@ -62,11 +68,11 @@ typedef struct lam_flat {
   lam_path *paths;
   lam_vec2 min, max; /* bounds of the paths */
   double thickness;
-  double height;     /* of a strip, across its axis; 0 when the part is not a strip, and nothing below is given */
-  int axis_count;    /* the developed middle line, from end to end */
+  double height;  /* of a strip, across its axis; 0 when the part is not a strip, and nothing below is given */
+  int axis_count; /* the developed middle line, from end to end */
   lam_vec2 *axis;
-  bool reversed;     /* the axis runs against the part's direction of travel, so that the marked face is the outer one */
-  int slot_count;    /* in order along the axis */
+  bool reversed;  /* the axis runs against the part's direction of travel, so that the marked face is the outer one */
+  int slot_count; /* in order along the axis */
   lam_flat_slot *slots;
 } lam_flat;
 
@@ -101,11 +107,11 @@ typedef struct lam_fact {
 } lam_fact;
 
 typedef struct lam_part {
-  const char *name;   /* unique and file-name safe, for instance "A07a" */
-  const char *kind;   /* row of the part registry that made it */
-  int family;         /* 0, 1, or -1 */
-  int group;          /* which physical element it belongs to (the two sheets of a pair share it); -1 when none */
-  int congruence;     /* parts with the same number are copies of each other; counts from 1; 0 when not known */
+  const char *name; /* unique and file-name safe, for instance "A07a" */
+  const char *kind; /* row of the part registry that made it */
+  int family;       /* 0, 1, or -1 */
+  int group;        /* which physical element it belongs to (the two sheets of a pair share it); -1 when none */
+  int congruence;   /* parts with the same number are copies of each other; counts from 1; 0 when not known */
   const lam_material *material;
   lam_trimesh solid;  /* closed and oriented */
   int instance_count; /* 0: the solid stands where it is; n: it is placed by frames (and not where it is) */
@@ -115,7 +121,7 @@ typedef struct lam_part {
   lam_flat *flat;     /* NULL when it is not cut from a sheet */
   lam_record *record; /* NULL when OpenSCAD gets the solid itself */
   int fact_count;
-  lam_fact *facts;    /* for the bill of materials and glTF extras */
+  lam_fact *facts; /* for the bill of materials and glTF extras */
 } lam_part;
 
 /* A connection of two lamellas. */
@@ -141,10 +147,10 @@ typedef struct lam_sheet {
   double width, height;
   const lam_material *material;
   double thickness;
-  double kerf;      /* 0: the outlines are not compensated */
+  double kerf; /* 0: the outlines are not compensated */
   int placed_count;
   lam_placed *placed;
-  double used;      /* area of the parts / area of the sheet */
+  double used; /* area of the parts / area of the sheet */
 } lam_sheet;
 
 /* ---- report ---- */
@@ -182,18 +188,18 @@ typedef struct lam_picture {
 
 typedef struct lam_model {
   const char *name, *title, *source, *version;
-  const lam_mesh *net;      /* NULL when the design has none */
+  const lam_mesh *net; /* NULL when the design has none */
   int polyline_count;
   const lam_polyline *polylines;
   int part_count;
   const lam_part *parts;
-  int record_kind_count;    /* per part kind with records: its columns and OpenSCAD settings */
+  int record_kind_count; /* per part kind with records: its columns and OpenSCAD settings */
   const struct lam_record_kind *record_kinds;
   int crossing_count;
   const lam_crossing *crossings;
   int sheet_count;
   const lam_sheet *sheets;
-  int support_count;        /* net vertices on the ground */
+  int support_count; /* net vertices on the ground */
   const lam_vec3 *supports;
   const lam_report *report;
   lam_picture picture;
@@ -205,13 +211,13 @@ typedef struct lam_setting {
   const char *section; /* Customizer group */
   const char *range;   /* Customizer comment such as "[0:0.05:2]"; NULL when none */
   const char *doc;
-  double value;        /* stored units; lengths are written in millimeters */
+  double value; /* stored units; lengths are written in millimeters */
   bool is_length;
 } lam_setting;
 
 typedef struct lam_record_kind {
-  const char *kind;     /* part kind */
-  const char *scad;     /* file in templates/scad */
+  const char *kind; /* part kind */
+  const char *scad; /* file in templates/scad */
   int column_count;
   const lam_record_column *columns;
   int setting_count;

@@ -12,9 +12,9 @@ extern "C" {
 
 typedef struct lam_solid_facts {
   int vertices, triangles;
-  bool closed;             /* every edge has exactly two triangles */
-  bool oriented;           /* neighbors agree, and a closed component's outside is outside (positive volume) */
-  bool manifold;           /* no edge with more than two triangles, no vertex with two fans */
+  bool closed;   /* every edge has exactly two triangles */
+  bool oriented; /* neighbors agree, and a closed component's outside is outside (positive volume) */
+  bool manifold; /* no edge with more than two triangles, no vertex with two fans */
   int boundary_edges, nonmanifold_edges;
   int components;
   int euler;               /* V - E + F */

@@ -31,8 +31,6 @@ static inline lam_vec3 lam_unit(lam_vec3 a) {
 }
 static inline lam_vec3 lam_mix(lam_vec3 a, lam_vec3 b, double t) { return lam_along(a, t, lam_sub(b, a)); }
 /* The angle between a and b in [0, pi], accurate near 0 and pi too. */
-static inline double lam_angle(lam_vec3 a, lam_vec3 b) {
-  return atan2(lam_length(lam_cross(a, b)), lam_dot(a, b));
-}
+static inline double lam_angle(lam_vec3 a, lam_vec3 b) { return atan2(lam_length(lam_cross(a, b)), lam_dot(a, b)); }
 
 #endif

@@ -213,15 +213,17 @@ bool lam_report_converged(const lam_report *report) {
   return true;
 }
 
-bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader, const lam_progress *progress,
-                      lam_errors *errors, lam_model *model) {
+bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader,
+                      const lam_progress *progress, lam_errors *errors, lam_model *model) {
   int before = errors->count;
   *model = (lam_model){.name = design->name, .title = design->title, .source = design->source, .version = LAM_VERSION};
-  pipeline p = {.arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
+  pipeline p = {
+      .arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
   if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
   if (errors->count > before || !make_net(&p)) return false;
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
-  *workshop = (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
+  *workshop =
+      (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
   if (!make_parts(&p, workshop)) return false;
   model->part_count = workshop->part_count;
   model->parts = workshop->parts;
@@ -232,8 +234,8 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   if (!make_sheets(&p, workshop)) return false;
   if (p.net) find_supports(&p);
   if (design->has_render || workshop->part_count || p.net)
-    model->picture = (lam_picture){design->render.setting, design->render.view, design->render.size[0], design->render.size[1],
-                                   design->render.quality};
+    model->picture = (lam_picture){design->render.setting, design->render.view, design->render.size[0],
+                                   design->render.size[1], design->render.quality};
   collect_report(&p, workshop);
   return true;
 }

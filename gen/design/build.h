@@ -6,8 +6,8 @@
 #include "core/progress.h"
 #include "design/design.h"
 
-/* How the pipeline gets at meshes that a design names: the caller reads files, the library does not. Paths are as in the
- * design. Each adds errors at place and returns false when there is no such mesh. */
+/* How the pipeline gets at meshes that a design names: the caller reads files, the library does not. Paths are as in
+ * the design. Each adds errors at place and returns false when there is no such mesh. */
 typedef struct lam_loader {
   bool (*mesh)(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors, lam_mesh *mesh);
   bool (*triangles)(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors,
@@ -15,10 +15,10 @@ typedef struct lam_loader {
   void *context;
 } lam_loader;
 
-/* Builds the model of a parsed design. loader and progress may be NULL. Wrong input adds to errors and returns false; a net that does not
- * converge is no error: the report says so. Everything is owned by arena. */
-bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader, const lam_progress *progress,
-                      lam_errors *errors, lam_model *model);
+/* Builds the model of a parsed design. loader and progress may be NULL. Wrong input adds to errors and returns false; a
+ * net that does not converge is no error: the report says so. Everything is owned by arena. */
+bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader,
+                      const lam_progress *progress, lam_errors *errors, lam_model *model);
 
 /* Whether every stage of a report converged. */
 bool lam_report_converged(const lam_report *report);

@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-/* Sheets of a pair run beside the asymptotic curve and develop to lines that leave their chord by some 1e-4 of the length. Cut
- * straight they are pushed into place with a strain of a few 1e-5 (straightening_strain in the report), far below what
- * bending and twisting ask of them; 5e-4 is where a workshop would begin to see the curve. */
+/* Sheets of a pair run beside the asymptotic curve and develop to lines that leave their chord by some 1e-4 of the
+ * length. Cut straight they are pushed into place with a strain of a few 1e-5 (straightening_strain in the report), far
+ * below what bending and twisting ask of them; 5e-4 is where a workshop would begin to see the curve. */
 const double lam_flat_straight = 5e-4;
 
 /* Reads the developed middle line from the stations. A straight one becomes its two ends. The line of a reversed strip

@@ -26,7 +26,7 @@ typedef struct lam_workshop {
   int record_kind_count, record_kind_capacity;
   lam_record_kind *record_kinds;
   int stage_count, stage_capacity;
-  lam_stage *stages;                          /* one per row that was made, and one for the checks */
+  lam_stage *stages;                           /* one per row that was made, and one for the checks */
   const struct lam_lamella_grid *lamella_grid; /* the last one made, or NULL */
 } lam_workshop;
 

@@ -18,8 +18,10 @@ static void constrain(lam_scope *scope, const void *given, lam_place place) {
   if (p->orthogonal && p->angle_given && fabs(p->angle - right_angle) > 1e-12)
     lam_error_add(scope->errors, place, "net.angle", "%g deg together with orthogonal: yes; expected one of the two",
                   p->angle * 90 / right_angle);
-  if (p->orthogonal) lam_con_orthogonal.add(scope, &star, 1, place);
-  else if (p->angle_given) lam_con_angle.add(scope, &(lam_angle_params){p->angle, p->border}, 1, place);
+  if (p->orthogonal)
+    lam_con_orthogonal.add(scope, &star, 1, place);
+  else if (p->angle_given)
+    lam_con_angle.add(scope, &(lam_angle_params){p->angle, p->border}, 1, place);
 }
 
 static double target_angle(const void *given) {
@@ -28,14 +30,29 @@ static double target_angle(const void *given) {
 }
 
 static const lam_key keys[] = {
-    {.name = "orthogonal", .type = LAM_KEY_FLAG, .offset = offsetof(params, orthogonal), .count = 1, .initial = "no",
+    {.name = "orthogonal",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(params, orthogonal),
+     .count = 1,
+     .initial = "no",
      .doc = "Right angles at every vertex: a discrete minimal surface."},
-    {.name = "angle", .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_ANGLE, .offset = offsetof(params, angle), .count = 1,
-     .initial = "90 deg", .min = 5 * 3.14159265358979323846 / 180, .max = 175 * 3.14159265358979323846 / 180,
+    {.name = "angle",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_ANGLE,
+     .offset = offsetof(params, angle),
+     .count = 1,
+     .initial = "90 deg",
+     .min = 5 * 3.14159265358979323846 / 180,
+     .max = 175 * 3.14159265358979323846 / 180,
      .given_offset = offsetof(params, angle_given),
      .doc = "The same crossing angle at every vertex: a constant ratio of the principal curvatures."},
-    {.name = "border", .type = LAM_KEY_FLAG, .offset = offsetof(params, border), .count = 1, .initial = "yes",
-     .doc = "Vertices of the border take part: their edges are coplanar, and reentrant corners, which have four edges, keep the angle."},
+    {.name = "border",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(params, border),
+     .count = 1,
+     .initial = "yes",
+     .doc = "Vertices of the border take part: their edges are coplanar, and reentrant corners, which have four edges, "
+            "keep the angle."},
     {0}};
 
 static const char *const measures[] = {"star_planarity", "angle_deviation", "crossing_angle", "edge_length",
@@ -43,13 +60,16 @@ static const char *const measures[] = {"star_planarity", "angle_deviation", "cro
 
 const lam_net_kind lam_net_asymptotic = {
     {"asymptotic", "Asymptotic net",
-     "The polylines follow the asymptotic curves of a saddle-shaped surface: every vertex lies in one plane with its four "
-     "neighbors. Strips normal to the net along the polylines have no normal curvature, so they unroll straight and can be cut from "
-     "straight stock: the asymptotic gridshell. With right angles the surface is minimal and all nodes are alike; with another "
-     "constant angle the ratio of the principal curvatures is constant. Exists only where K < 0: a dome can only flatten, "
+     "The polylines follow the asymptotic curves of a saddle-shaped surface: every vertex lies in one plane with its "
+     "four "
+     "neighbors. Strips normal to the net along the polylines have no normal curvature, so they unroll straight and "
+     "can be cut from "
+     "straight stock: the asymptotic gridshell. With right angles the surface is minimal and all nodes are alike; with "
+     "another "
+     "constant angle the ratio of the principal curvatures is constant. Exists only where K < 0: a dome can only "
+     "flatten, "
      "which is reported as degenerate.",
-     "N.e1 = N.e2 = 0 at every star; T1.T2 = cos(angle)", "thesis 3.3 and 3.2.4",
-     keys, sizeof(params)},
+     "N.e1 = N.e2 = 0 at every star; T1.T2 = cos(angle)", "thesis 3.3 and 3.2.4", keys, sizeof(params)},
     LAM_CHART_ASYMPTOTIC,
     {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
     {LAM_FAIR_POSITION, .3, 0},

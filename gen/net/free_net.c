@@ -7,7 +7,8 @@ static const char *const measures[] = {"star_planarity", "face_planarity", "cros
 
 const lam_net_kind lam_net_free = {
     {"free", "Net of listed constraints",
-     "Has no constraint of its own: it is what its `constraints` list says, and the parameter lines of the surface when the list is "
+     "Has no constraint of its own: it is what its `constraints` list says, and the parameter lines of the surface "
+     "when the list is "
      "empty.",
      NULL, NULL, NULL, 0},
     LAM_CHART_NATURAL,

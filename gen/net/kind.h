@@ -18,11 +18,11 @@ typedef struct lam_guide {
 typedef struct lam_net_kind {
   lam_row_head head;
   lam_chart chart;
-  lam_schedule schedule;                                                  /* default */
-  lam_guide guide;                                                        /* default */
+  lam_schedule schedule;                                                    /* default */
+  lam_guide guide;                                                          /* default */
   void (*constrain)(lam_scope *scope, const void *params, lam_place place); /* adds the hard constraints */
-  const char *const *measures;                                            /* NULL-terminated names (net/measure.h) */
-  double (*target_angle)(const void *params);                             /* NULL: no crossing angle is aimed at */
+  const char *const *measures;                                              /* NULL-terminated names (net/measure.h) */
+  double (*target_angle)(const void *params);                               /* NULL: no crossing angle is aimed at */
 } lam_net_kind;
 
 extern const lam_registry lam_nets;
@@ -59,7 +59,7 @@ typedef struct lam_net_common {
   int grid[2];
   int hole;
   int subdivide;
-  int boundary; /* lam_boundary */
+  int boundary;         /* lam_boundary */
   lam_list handles;     /* of lam_handle */
   lam_list constraints; /* of lam_row of lam_constraints */
   lam_reference_keys reference;

@@ -52,8 +52,8 @@ static bool in_a_star(const lam_net *net, int v) {
   return is;
 }
 
-/* The plane of best fit: its unit normal and the standard deviations across and along it (ascending). With a net, points are its
- * vertices, and only those of stars count. */
+/* The plane of best fit: its unit normal and the standard deviations across and along it (ascending). With a net,
+ * points are its vertices, and only those of stars count. */
 static lam_vec3 fit_plane(const lam_vec3 *points, int count, const lam_net *net, lam_vec3 *center, double spread[3]) {
   lam_vec3 c = {0, 0, 0};
   int used = 0;
@@ -158,16 +158,17 @@ static void turning_angle(const lam_measuring *in, lam_measure *out) {
     const lam_star *star = &in->net->stars[s];
     lam_vec3 c = in->positions[star->center];
     for (int k = 0; k < 2; k++)
-      note(out, lam_angle(lam_sub(in->positions[star->neighbor[k]], c), lam_sub(c, in->positions[star->neighbor[k + 2]])) *
-                    degrees);
+      note(out,
+           lam_angle(lam_sub(in->positions[star->neighbor[k]], c), lam_sub(c, in->positions[star->neighbor[k + 2]])) *
+               degrees);
   }
   finish(out);
 }
 
 static lam_vec3 face_normal(const lam_measuring *in, int f) {
   const int *c = in->net->mesh.faces[f];
-  return lam_unit(lam_cross(lam_sub(in->positions[c[2]], in->positions[c[0]]),
-                            lam_sub(in->positions[c[3]], in->positions[c[1]])));
+  return lam_unit(
+      lam_cross(lam_sub(in->positions[c[2]], in->positions[c[0]]), lam_sub(in->positions[c[3]], in->positions[c[1]])));
 }
 
 /* Edges whose two faces turn by more than 120 degrees. */
@@ -180,8 +181,8 @@ static void foldovers(const lam_measuring *in, lam_measure *out) {
   *out = (lam_measure){out->name, out->unit, (double)folded, (double)folded, in->net->edge_count};
 }
 
-/* Thickness of the net over its length: standard deviation across and along the plane of best fit. Corners of an open net, which
- * belong to no star, do not count when a net has stars: constraints on stars leave them where they were. */
+/* Thickness of the net over its length: standard deviation across and along the plane of best fit. Corners of an open
+ * net, which belong to no star, do not count when a net has stars: constraints on stars leave them where they were. */
 static void flatness(const lam_measuring *in, lam_measure *out) {
   lam_vec3 center;
   double spread[3];
@@ -191,15 +192,20 @@ static void flatness(const lam_measuring *in, lam_measure *out) {
 }
 
 const lam_measure_kind lam_measures[] = {
-    {"star_planarity", "", "largest distance of a vertex and its neighbors to their plane of best fit, over the mean edge around", star_planarity},
+    {"star_planarity", "",
+     "largest distance of a vertex and its neighbors to their plane of best fit, over the mean edge around",
+     star_planarity},
     {"face_planarity", "", "distance of a face's diagonals over their mean length", face_planarity},
-    {"angle_deviation", "deg", "crossing angle of the families at regular vertices, against the angle aimed at (90 degrees by default)", angle_deviation},
+    {"angle_deviation", "deg",
+     "crossing angle of the families at regular vertices, against the angle aimed at (90 degrees by default)",
+     angle_deviation},
     {"crossing_angle", "deg", "crossing angle of the families at regular vertices", crossing_angle},
     {"turning_angle", "deg", "angle by which a polyline turns at a regular vertex", turning_angle},
     {"edge_length", "m", "length of the edges", edge_length},
     {"shortest_edge", "", "shortest edge over the mean edge", shortest_edge},
     {"foldovers", "", "edges whose two faces turn by more than 120 degrees", foldovers},
-    {"flatness", "", "spread of the vertices of all stars across their common plane over the spread along it", flatness},
+    {"flatness", "", "spread of the vertices of all stars across their common plane over the spread along it",
+     flatness},
 };
 const int lam_measure_count = sizeof lam_measures / sizeof *lam_measures;
 
@@ -243,7 +249,8 @@ static double extent(const lam_net *net, const lam_vec3 *positions) {
 }
 
 const char *lam_net_degenerate(const lam_net *net, const lam_vec3 *before, const lam_vec3 *after) {
-  lam_measure edge[2] = {lam_net_measure_one(net, before, "shortest_edge"), lam_net_measure_one(net, after, "shortest_edge")};
+  lam_measure edge[2] = {lam_net_measure_one(net, before, "shortest_edge"),
+                         lam_net_measure_one(net, after, "shortest_edge")};
   lam_measure flat[2] = {lam_net_measure_one(net, before, "flatness"), lam_net_measure_one(net, after, "flatness")};
   lam_measure fold[2] = {lam_net_measure_one(net, before, "foldovers"), lam_net_measure_one(net, after, "foldovers")};
   double size[2] = {extent(net, before), extent(net, after)};

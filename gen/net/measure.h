@@ -26,9 +26,9 @@ lam_measure *lam_net_measure(lam_arena *arena, const lam_net *net, const lam_vec
 /* The value of one measure. */
 lam_measure lam_net_measure_one(const lam_net *net, const lam_vec3 *positions, const char *name);
 
-/* Names the degenerate state of a solved net, or NULL: "not a number: ...", "shrunk: ...", "flown apart: ...", "collapsed: ...",
- * "flattened: ...", "folded: ...". before and after are positions; the states are judged against the start, so that a plane that
- * was a plane is none. */
+/* Names the degenerate state of a solved net, or NULL: "not a number: ...", "shrunk: ...", "flown apart: ...",
+ * "collapsed: ...", "flattened: ...", "folded: ...". before and after are positions; the states are judged against the
+ * start, so that a plane that was a plane is none. */
 const char *lam_net_degenerate(const lam_net *net, const lam_vec3 *before, const lam_vec3 *after);
 
 #endif

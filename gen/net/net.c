@@ -72,10 +72,12 @@ static bool pair_edges(builder *b) {
       next[e] = first[low];
       first[low] = e;
     } else if (net->edges[e].face[1] >= 0) {
-      lam_error_add(b->errors, b->place, NULL, "the edge of vertices %d and %d has more than two faces", from + 1, to + 1);
+      lam_error_add(b->errors, b->place, NULL, "the edge of vertices %d and %d has more than two faces", from + 1,
+                    to + 1);
       return false;
     } else if (net->edges[e].vertex[0] == from) {
-      lam_error_add(b->errors, b->place, NULL, "faces %d and %d at the edge of vertices %d and %d disagree in orientation",
+      lam_error_add(b->errors, b->place, NULL,
+                    "faces %d and %d at the edge of vertices %d and %d disagree in orientation",
                     net->edges[e].face[0] + 1, (h >> 2) + 1, from + 1, to + 1);
       return false;
     } else {
@@ -206,7 +208,8 @@ static void reverse(int *v, int n) {
   }
 }
 
-/* Open lines start at their end with the smaller index; closed ones at their smallest index, towards its smaller neighbor. */
+/* Open lines start at their end with the smaller index; closed ones at their smallest index, towards its smaller
+ * neighbor. */
 static void orient_line(lam_polyline *line) {
   int n = line->count, *v = line->vertices;
   if (!line->closed) {
@@ -257,8 +260,10 @@ static void trace_lines(builder *b) {
           break;
         }
         done[step] = true;
-        if (side) buffer[--low] = to;
-        else buffer[++high] = to;
+        if (side)
+          buffer[--low] = to;
+        else
+          buffer[++high] = to;
       }
     if (closed) high--;
     lam_polyline line = {net->edges[e].family, closed, high - low + 1, LAM_NEW(b->arena, int, high - low + 1)};
@@ -290,8 +295,7 @@ static void list_stars(builder *b) {
     while (k < 3 && ring[k] != ahead[v]) k++;
     if (ring[k] != ahead[v]) k = 0; /* only where families conflict */
     net->star_of_vertex[v] = net->star_count;
-    net->stars[net->star_count++] =
-        (lam_star){v, {ring[k], ring[(k + 1) & 3], ring[(k + 2) & 3], ring[(k + 3) & 3]}};
+    net->stars[net->star_count++] = (lam_star){v, {ring[k], ring[(k + 1) & 3], ring[(k + 2) & 3], ring[(k + 3) & 3]}};
   }
 }
 

@@ -30,13 +30,14 @@ typedef struct lam_net {
   /* One-rings of all vertices in compressed form, counterclockwise: neighbors of v are
    * ring[ring_start[v] .. ring_start[v+1]-1]; on the boundary from the first boundary edge to the last. */
   int *ring_start, *ring;
-  /* Polylines through regular vertices (opposite edges of a star continue each other), ends at the boundary or at irregular
-   * vertices; through a reentrant corner of the boundary lines run on. Boundary lines belong to them too where they follow a family. */
+  /* Polylines through regular vertices (opposite edges of a star continue each other), ends at the boundary or at
+   * irregular vertices; through a reentrant corner of the boundary lines run on. Boundary lines belong to them too
+   * where they follow a family. */
   int polyline_count;
   lam_polyline *polylines;
   int loop_count;
-  lam_polyline *loops; /* boundary loops, the surface on their left */
-  int irregular_count; /* interior vertices of valence other than 4 */
+  lam_polyline *loops;  /* boundary loops, the surface on their left */
+  int irregular_count;  /* interior vertices of valence other than 4 */
   int family_conflicts; /* edges at which the two-coloring of families cannot be continued (0 on all even nets) */
 } lam_net;
 
@@ -44,20 +45,21 @@ typedef struct lam_net {
  * orientation, repeated vertices in a face, unused vertices) are added to errors with place; returns false then. */
 bool lam_net_build(lam_arena *arena, const lam_mesh *mesh, lam_place place, lam_errors *errors, lam_net *net);
 
-/* A rectangular grid of n x m vertices, vertex (i,j) at index i * m + j, i along family 0; closed in either direction when
- * asked (then the last row is joined to the first: pass each vertex once). Positions are zero. Precondition: n, m >= 2, and
+/* A rectangular grid of n x m vertices, vertex (i,j) at index i * m + j, i along family 0; closed in either direction
+ * when asked (then the last row is joined to the first: pass each vertex once). Positions are zero. Precondition: n, m
+ * >= 2, and
  * >= 3 where closed. */
 lam_mesh lam_mesh_grid(lam_arena *arena, int n, int m, bool closed_u, bool closed_v);
 
-/* Unit normal of every vertex, from positions alone: the sum over the one-ring of e_k x e_{k+1} (unit edges). At a planar star
- * this is exactly the normal of its plane up to rounding. normals: vertex_count. */
+/* Unit normal of every vertex, from positions alone: the sum over the one-ring of e_k x e_{k+1} (unit edges). At a
+ * planar star this is exactly the normal of its plane up to rounding. normals: vertex_count. */
 void lam_net_normals(const lam_net *net, const lam_vec3 *positions, lam_vec3 *normals);
 double lam_net_mean_edge(const lam_net *net, const lam_vec3 *positions);
 
 /* Catmull-Clark subdivision: new vertices in the order vertices, edges, faces of net. */
 lam_mesh lam_net_catmull_clark(lam_arena *arena, const lam_net *net);
-/* Interpolating subdivision along polylines (the 4-point rule; 3-point at ends), midpoints of faces from both families averaged. Old
- * vertices keep their index and position. */
+/* Interpolating subdivision along polylines (the 4-point rule; 3-point at ends), midpoints of faces from both families
+ * averaged. Old vertices keep their index and position. */
 lam_mesh lam_net_four_point(lam_arena *arena, const lam_net *net);
 
 #endif

@@ -24,14 +24,17 @@ static void prepare_reference(attempt *a) {
   for (int v = 0; v < a->reference.vertex_count; v++)
     a->reference.vertices[v] = lam_scale(a->job->reference->vertices[v], 1 / a->unit);
   lam_tree *tree = lam_tree_new(&a->reference);
-  if (!tree) lam_error_add(a->errors, a->job->place, "net.reference", "the mesh cannot be searched; it has no valid triangle");
-  else lam_arena_defer(a->arena, lam_tree_free, tree);
+  if (!tree)
+    lam_error_add(a->errors, a->job->place, "net.reference", "the mesh cannot be searched; it has no valid triangle");
+  else
+    lam_arena_defer(a->arena, lam_tree_free, tree);
   a->tree = tree;
 }
 
 /* Grid position or index of a handle; -1 with an error when there is no such vertex. */
 static int handle_vertex(const attempt *a, const lam_handle *handle) {
-  int n = a->net->mesh.vertex_count, columns = a->job->common->grid[1] + 1, i = handle->vertex[0], j = handle->vertex[1];
+  int n = a->net->mesh.vertex_count, columns = a->job->common->grid[1] + 1, i = handle->vertex[0],
+      j = handle->vertex[1];
   bool is_grid = !a->job->common->from.file && n == (a->job->common->grid[0] + 1) * columns;
   int v = j < 0 ? i : is_grid && j < columns ? i * columns + j : -1;
   if (v >= 0 && v < n) return v;
@@ -42,11 +45,14 @@ static int handle_vertex(const attempt *a, const lam_handle *handle) {
 
 static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scope) {
   switch ((lam_boundary)a->job->common->boundary) {
-  case LAM_BOUNDARY_FREE: break;
+  case LAM_BOUNDARY_FREE:
+    break;
   case LAM_BOUNDARY_FIXED:
     for (int v = 0; v < problem->vertex_count; v++) problem->fixed[v] |= a->net->boundary[v];
     break;
-  case LAM_BOUNDARY_GLIDE: lam_con_glide.add(scope, NULL, 1, a->job->place); break;
+  case LAM_BOUNDARY_GLIDE:
+    lam_con_glide.add(scope, NULL, 1, a->job->place);
+    break;
   }
 }
 
@@ -85,8 +91,8 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_problem_positions(problem, positions);
 }
 
-/* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint keeps (a length,
- * the boundary curve) is that of the start; what guides is the place where this solve begins. */
+/* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
+ * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
 static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start, double share, long *skipped) {
   const lam_net_job *job = a->job;
   const lam_net_common *common = job->common;
@@ -114,7 +120,8 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   return solution;
 }
 
-bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors, lam_net_result *result) {
+bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
+                      lam_net_result *result) {
   int n = net->mesh.vertex_count, steps = 1, before = errors->count;
   *result = (lam_net_result){0};
   attempt a = {.arena = arena, .job = job, .net = net, .errors = errors};
@@ -130,7 +137,8 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     const lam_handle *handle = (const lam_handle *)handles->items + h;
     a.handle_vertices[h] = handle_vertex(&a, handle);
     if (a.handle_vertices[h] >= 0 && job->common->boundary == LAM_BOUNDARY_FIXED && net->boundary[a.handle_vertices[h]])
-      lam_error_add(errors, job->place, "net.handles", "vertex [%d, %d] lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
+      lam_error_add(errors, job->place, "net.handles",
+                    "vertex [%d, %d] lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
                     handle->vertex[0], handle->vertex[1]);
     if (handle->steps > steps) steps = handle->steps;
   }
@@ -153,7 +161,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
   double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  result->measures = lam_net_measure(arena, net, net->mesh.vertices, isnan(target) ? right_angle : target, job->kind->measures,
-                                     &result->measure_count);
+  result->measures = lam_net_measure(arena, net, net->mesh.vertices, isnan(target) ? right_angle : target,
+                                     job->kind->measures, &result->measure_count);
   return true;
 }

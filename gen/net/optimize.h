@@ -18,13 +18,15 @@ typedef struct lam_net_result {
   const char *degenerate; /* NULL: none */
   bool converged;         /* solved and not degenerate */
   const char *reason;
-  long skipped;           /* irregular vertices that constraints on regular stars left out */
+  long skipped; /* irregular vertices that constraints on regular stars left out */
   int measure_count;
   lam_measure *measures;
-  double drift;           /* largest displacement from the start, in mean edges */
+  double drift; /* largest displacement from the start, in mean edges */
 } lam_net_result;
 
-/* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go to errors; false then. */
-bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors, lam_net_result *result);
+/* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go to errors; false
+ * then. */
+bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
+                      lam_net_result *result);
 
 #endif

@@ -21,13 +21,13 @@ static bool sample_grid(lam_arena *arena, const lam_surface *surface, lam_chart 
   *mesh = lam_mesh_grid(arena, n, m, closed[0], closed[1]);
   for (int i = 0; i < n; i++)
     for (int j = 0; j < m; j++)
-      mesh->vertices[i * m + j] = lam_surface_point(surface, chart, 0, p[0] + (p[1] - p[0]) * i / grid[0],
-                                                    q[0] + (q[1] - q[0]) * j / grid[1]);
+      mesh->vertices[i * m + j] =
+          lam_surface_point(surface, chart, 0, p[0] + (p[1] - p[0]) * i / grid[0], q[0] + (q[1] - q[0]) * j / grid[1]);
   return true;
 }
 
-/* Vertex (a, b) of sector s, 0 <= a, b <= n, around a flat point. Sector s owns a >= 1, b < n; its side a = 0 belongs to the
- * next sector's side b = 0. */
+/* Vertex (a, b) of sector s, 0 <= a, b <= n, around a flat point. Sector s owns a >= 1, b < n; its side a = 0 belongs
+ * to the next sector's side b = 0. */
 static int sector_vertex(int sectors, int n, int s, int a, int b) {
   if (a == 0 && b == 0) return 0;
   if (a == 0) {
@@ -46,11 +46,13 @@ static bool sample_sectors(lam_arena *arena, const lam_surface *surface, lam_cha
   surface->kind->domain(surface->data, chart, p, q, closed);
   double reach = placing->u_given ? placing->u[1] : p[1];
   if (grid[0] != grid[1]) {
-    lam_error_add(errors, place, "net.grid", "[%d, %d]; around a flat point both numbers must be equal", grid[0], grid[1]);
+    lam_error_add(errors, place, "net.grid", "[%d, %d]; around a flat point both numbers must be equal", grid[0],
+                  grid[1]);
     return false;
   }
   if (placing->v_given || (placing->u_given && placing->u[0] != 0)) {
-    lam_error_add(errors, place, "surface.u", "around a flat point only u: [0, reach] is meant, the same for all sectors; no v");
+    lam_error_add(errors, place, "surface.u",
+                  "around a flat point only u: [0, reach] is meant, the same for all sectors; no v");
     return false;
   }
   if (hole >= n) {

@@ -6,8 +6,9 @@
 #include "surf/place.h"
 #include "surf/surface.h"
 
-/* Samples a surface. grid: cells along the families. hole: rings left out around a flat point. Scaled, turned and set on the
- * ground as place says. Errors (no such parameterization, unequal grid around a flat point, ...) go to errors; false then. */
+/* Samples a surface. grid: cells along the families. hole: rings left out around a flat point. Scaled, turned and set
+ * on the ground as place says. Errors (no such parameterization, unequal grid around a flat point, ...) go to errors;
+ * false then. */
 bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,
                    const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh);
 

@@ -1,6 +1,7 @@
 #include "net/net.h"
 
-/* New vertices: old ones, then one per edge, then one per face. Face f with corners a b c d and edge points becomes four. */
+/* New vertices: old ones, then one per edge, then one per face. Face f with corners a b c d and edge points becomes
+ * four. */
 static lam_mesh refine(lam_arena *arena, const lam_net *net, int *edge_of) {
   const lam_mesh *old = &net->mesh;
   int nv = old->vertex_count, ne = net->edge_count, nf = old->face_count;
@@ -30,10 +31,8 @@ static lam_mesh refine(lam_arena *arena, const lam_net *net, int *edge_of) {
     int c = nv + ne + f;
     for (int k = 0; k < 4; k++) {
       int corner = old->faces[f][k], next = nv + edge_of[4 * f + k], before = nv + edge_of[4 * f + ((k + 3) & 3)];
-      int corners[4][4] = {{corner, next, c, before},
-                           {before, corner, next, c},
-                           {c, before, corner, next},
-                           {next, c, before, corner}};
+      int corners[4][4] = {
+          {corner, next, c, before}, {before, corner, next, c}, {c, before, corner, next}, {next, c, before, corner}};
       for (int i = 0; i < 4; i++) mesh.faces[4 * f + k][i] = corners[k][i];
     }
   }
@@ -70,7 +69,9 @@ lam_mesh lam_net_catmull_clark(lam_arena *arena, const lam_net *net) {
     if (net->boundary[v]) /* the two border edges' middles, and the vertex; corners stay */
       vertex[v] = n == 2 ? x[v] : lam_add(lam_scale(x[v], .5), lam_scale(edges[v], .25));
     else /* (F + 2 E + (n - 3) V) / n with means F of faces and E of edge middles */
-      vertex[v] = lam_scale(lam_add(lam_add(lam_scale(faces[v], 1.0 / n), lam_scale(edges[v], 2.0 / n)), lam_scale(x[v], n - 3)), 1.0 / n);
+      vertex[v] = lam_scale(
+          lam_add(lam_add(lam_scale(faces[v], 1.0 / n), lam_scale(edges[v], 2.0 / n)), lam_scale(x[v], n - 3)),
+          1.0 / n);
   }
   return mesh;
 }
@@ -116,7 +117,8 @@ lam_mesh lam_net_four_point(lam_arena *arena, const lam_net *net) {
       }
     }
   }
-  /* the point of a face: across it from edge to opposite edge, continued into the neighboring faces, for both families */
+  /* the point of a face: across it from edge to opposite edge, continued into the neighboring faces, for both families
+   */
   for (int f = 0; f < nf; f++) {
     lam_vec3 sum = {0, 0, 0};
     for (int k = 0; k < 2; k++) {

@@ -5,16 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The pattern is found on nodes. Column node J of the lower triangle holds its diagonal block first and then the blocks of the
- * nodes I > J that share an element with it. The entries of block (I, J) in scalar column (J, c) start at
+/* The pattern is found on nodes. Column node J of the lower triangle holds its diagonal block first and then the blocks
+ * of the nodes I > J that share an element with it. The entries of block (I, J) in scalar column (J, c) start at
  *   column_start[J0 + c] + (size_J - c) + before(I, J),   the diagonal block's at column_start[J0 + c],
  * so that one integer per node pair of an element, before(I, J), is all that the scatter needs. */
 typedef struct block_map {
   int columns;      /* unknowns of an element */
   int *slot;        /* per element and pair a >= b of its nodes: before(I, J), or -1 when either is fixed */
   double *constant; /* linear blocks: J'J of the whole block at weight 1; NULL otherwise */
-  int members;      /* blocks from this one on that share their elements and are scattered together; 0: in an earlier one's group */
-  int rows;         /* residuals of an element in the whole group */
+  int members; /* blocks from this one on that share their elements and are scattered together; 0: in an earlier one's
+                  group */
+  int rows;    /* residuals of an element in the whole group */
 } block_map;
 
 enum { largest_node = 8 }; /* unknowns */
@@ -25,7 +26,7 @@ struct lam_system {
   int *column_start, *row, *order, *unknown;
   int *column_of_node; /* first column of a node, -1 when fixed */
   block_map *maps;
-  double *local;       /* scratch: x, r, J of one element */
+  double *local; /* scratch: x, r, J of one element */
   int most_columns, most_rows;
 };
 
@@ -50,8 +51,10 @@ static pattern find_pattern(lam_arena *arena, const lam_problem *problem) {
           for (int j = 0; j < i; j++) {
             int low = nodes[i] < nodes[j] ? nodes[i] : nodes[j], high = nodes[i] + nodes[j] - low;
             if (low == high || problem->fixed[low] || problem->fixed[high]) continue;
-            if (list) list[count[low] + fill[low]++] = high;
-            else count[low + 1]++;
+            if (list)
+              list[count[low] + fill[low]++] = high;
+            else
+              count[low + 1]++;
           }
       }
     }
@@ -109,8 +112,10 @@ static int find_before(const pattern *p, const int *prefix, int low, int high) {
   int a = p->start[low], b = p->start[low + 1] - 1;
   while (a < b) {
     int middle = (a + b) / 2;
-    if (p->neighbor[middle] < high) a = middle + 1;
-    else b = middle;
+    if (p->neighbor[middle] < high)
+      a = middle + 1;
+    else
+      b = middle;
   }
   return prefix[a];
 }
@@ -170,7 +175,7 @@ static void find_map(lam_arena *arena, lam_system *system, const pattern *p, con
   block_map *map = &system->maps[b];
   int pairs = block->arity * (block->arity + 1) / 2;
   if (map->members == 0) return;
-  map->slot = LAM_NEW(arena, int, (size_t)block->count * (size_t)pairs);
+  map->slot = LAM_NEW(arena, int, (size_t)block->count *(size_t)pairs);
   for (int i = 0; i < block->arity; i++) map->columns += problem->size[block->nodes[i]];
   if (map->columns > system->most_columns) system->most_columns = map->columns;
   if (map->rows > system->most_rows) system->most_rows = map->rows;
@@ -180,8 +185,10 @@ static void find_map(lam_arena *arena, lam_system *system, const pattern *p, con
     for (int i = 0; i < block->arity; i++)
       for (int j = 0; j <= i; j++, slot++) {
         int low = nodes[i] < nodes[j] ? nodes[i] : nodes[j], high = nodes[i] + nodes[j] - low;
-        if (problem->fixed[low] || problem->fixed[high]) *slot = -1;
-        else *slot = low == high ? 0 : find_before(p, prefix, low, high);
+        if (problem->fixed[low] || problem->fixed[high])
+          *slot = -1;
+        else
+          *slot = low == high ? 0 : find_before(p, prefix, low, high);
       }
   }
 }
@@ -312,7 +319,8 @@ static void add_gradient(const lam_system *system, const lam_block *block, const
 }
 
 /* Counts the residuals of one block's element, and weights them and their Jacobian. */
-static void weigh(const lam_block *block, double weight, int columns, double *r, double *J, lam_residual *sum, long *hard) {
+static void weigh(const lam_block *block, double weight, int columns, double *r, double *J, lam_residual *sum,
+                  long *hard) {
   for (int k = 0; k < block->rows; k++) {
     double size = fabs(r[k]);
     if (block->role == LAM_HARD) {

@@ -9,8 +9,8 @@
 typedef struct lam_factor lam_factor;
 
 typedef struct lam_factor_stats {
-  double flops;       /* of one factorization */
-  double entries;     /* of the factor */
+  double flops;   /* of one factorization */
+  double entries; /* of the factor */
   long factorized, solved;
 } lam_factor_stats;
 

@@ -32,8 +32,8 @@ static void check_memory(lam_factor *factor) {
 }
 
 lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start, const int *row, const int *order) {
-  /* One thread: the same bytes on any machine. CHOLMOD asks for four threads in loops of a few columns, which costs four times what
-   * the factorization does; only without active levels does OpenMP leave those loops alone. */
+  /* One thread: the same bytes on any machine. CHOLMOD asks for four threads in loops of a few columns, which costs
+   * four times what the factorization does; only without active levels does OpenMP leave those loops alone. */
   openblas_set_num_threads(1);
   omp_set_max_active_levels(0);
   lam_factor *factor = LAM_NEW(arena, lam_factor, 1);

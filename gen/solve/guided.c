@@ -6,15 +6,17 @@
 #include <string.h>
 #include <time.h>
 
-/* Damping. The system (H + mu I) dx = -g is solved with mu = lambda * rms(hard residuals): close to a solution mu vanishes with the
- * residual, so the step becomes the Gauss-Newton step and converges quadratically although the problem is under-determined. */
+/* Damping. The system (H + mu I) dx = -g is solved with mu = lambda * rms(hard residuals): close to a solution mu
+ * vanishes with the residual, so the step becomes the Gauss-Newton step and converges quadratically although the
+ * problem is under-determined. */
 static const double lambda_start = 1e-3, lambda_min = 1e-7, lambda_max = 1e8;
 static const double mu_min = 1e-12, mu_max = 1e6;
 static const double shrink = .2, grow = 8;
 enum { max_rejections = 12, stall_window = 12 };
 
 lam_schedule lam_schedule_default(void) {
-  return (lam_schedule){.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100};
+  return (lam_schedule){
+      .fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100};
 }
 
 typedef struct run {
@@ -52,8 +54,8 @@ static void update_blocks(const run *r) {
   }
 }
 
-/* One damped step that lowers the energy. Returns the length of the longest move of an unknown, or a negative number when no
- * step was found. */
+/* One damped step that lowers the energy. Returns the length of the longest move of an unknown, or a negative number
+ * when no step was found. */
 static double take_step(run *r, const lam_residual *here, lam_weights weights, lam_residual *after) {
   lam_solution *s = r->solution;
   const int *unknown = lam_system_unknowns(r->system);
@@ -87,8 +89,10 @@ static double take_step(run *r, const lam_residual *here, lam_weights weights, l
     double gain = model > 0 ? (here->energy - after->energy) / model : -1;
     if (isfinite(after->energy) && after->energy < here->energy) {
       memcpy(r->problem->x, r->trial, sizeof(double) * (size_t)r->problem->offset[r->problem->node_count]);
-      if (gain > .25) r->lambda = fmax(r->lambda * shrink, lambda_min);
-      else r->lambda = fmin(r->lambda * 2, lambda_max);
+      if (gain > .25)
+        r->lambda = fmax(r->lambda * shrink, lambda_min);
+      else
+        r->lambda = fmin(r->lambda * 2, lambda_max);
       return longest;
     }
     if (longest < 1e-13) return -1;
@@ -108,8 +112,9 @@ static bool has_wishes(const lam_problem *problem) {
   return false;
 }
 
-/* Soft blocks compete with hard ones, so both together end in a compromise. They take part until the fairness is gone and a step gains
- * less than this share of the energy, or none is left; then they are dropped, and the rest of the steps satisfies the hard blocks from there. */
+/* Soft blocks compete with hard ones, so both together end in a compromise. They take part until the fairness is gone
+ * and a step gains less than this share of the energy, or none is left; then they are dropped, and the rest of the
+ * steps satisfies the hard blocks from there. */
 static const double settled = .01;
 
 static void iterate(run *r, const lam_progress *progress) {

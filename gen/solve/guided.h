@@ -1,4 +1,5 @@
-/* Guided projection: damped Gauss-Newton with fading fairness (thesis 3.7, in the form with the vertices as unknowns). */
+/* Guided projection: damped Gauss-Newton with fading fairness (thesis 3.7, in the form with the vertices as unknowns).
+ */
 #ifndef LAM_SOLVE_GUIDED_H
 #define LAM_SOLVE_GUIDED_H
 
@@ -7,13 +8,13 @@
 #include "solve/problem.h"
 
 typedef struct lam_schedule {
-  double fairness;     /* weight at the start; 0: none */
-  int hold;            /* iterations at the start weight */
-  double decay;        /* factor per iteration afterwards */
-  double floor;        /* below this the weight becomes 0 */
-  double tolerance;    /* on the largest hard residual (mean edge length = 1) */
+  double fairness;  /* weight at the start; 0: none */
+  int hold;         /* iterations at the start weight */
+  double decay;     /* factor per iteration afterwards */
+  double floor;     /* below this the weight becomes 0 */
+  double tolerance; /* on the largest hard residual (mean edge length = 1) */
   int max_iterations;
-  bool fade_soft;      /* soft blocks fade with the fairness too (guide terms, not wishes) */
+  bool fade_soft; /* soft blocks fade with the fairness too (guide terms, not wishes) */
 } lam_schedule;
 
 typedef struct lam_solution {
@@ -24,7 +25,7 @@ typedef struct lam_solution {
   double residual, rms; /* hard, at the end */
   const char *worst;    /* block with the largest residual */
   int history_count;
-  double *history;      /* largest hard residual before the first and after every step */
+  double *history; /* largest hard residual before the first and after every step */
   double seconds_assembly, seconds_factor, seconds_solve, seconds_total;
   lam_factor_stats factor;
   int unknowns, residuals;

@@ -13,9 +13,15 @@ typedef struct lam_jet {
 } lam_jet;
 
 /* Parameterizations that a net may ask a surface for. NATURAL is the surface's own (u,v). In the others the parameter
- * lines have the named property; DIAGONAL are the diagonals of an isothermic principal grid (a = (p+q)/2, b = (p-q)/2 in
- * isothermic coordinates: lines of equal normal curvature on CMC surfaces). */
-typedef enum lam_chart { LAM_CHART_NATURAL, LAM_CHART_ASYMPTOTIC, LAM_CHART_PRINCIPAL, LAM_CHART_DIAGONAL, LAM_CHART_COUNT } lam_chart;
+ * lines have the named property; DIAGONAL are the diagonals of an isothermic principal grid (a = (p+q)/2, b = (p-q)/2
+ * in isothermic coordinates: lines of equal normal curvature on CMC surfaces). */
+typedef enum lam_chart {
+  LAM_CHART_NATURAL,
+  LAM_CHART_ASYMPTOTIC,
+  LAM_CHART_PRINCIPAL,
+  LAM_CHART_DIAGONAL,
+  LAM_CHART_COUNT
+} lam_chart;
 extern const char *const lam_chart_names[]; /* NULL-terminated */
 
 typedef struct lam_surface lam_surface;
@@ -23,17 +29,20 @@ typedef struct lam_surface lam_surface;
 typedef struct lam_surface_kind {
   lam_row_head head;
   /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance data". Adds to
-   * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL. */
+   * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL.
+   */
   const void *(*prepare)(lam_arena *arena, const void *params, lam_place place, lam_errors *errors);
-  /* The jet at (u,v) of the natural parameterization. data is what prepare returned, or params without prepare. Pure. */
+  /* The jet at (u,v) of the natural parameterization. data is what prepare returned, or params without prepare. Pure.
+   */
   void (*eval)(const void *data, double u, double v, lam_jet *jet);
   /* The default domain of the chart and whether it closes up in p and q; false: the surface has no such chart. */
   bool (*domain)(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]);
-  /* Natural parameters of chart point (p,q). Charts around a flat point are branched: sector s counts quarter turns around
-   * it, with p, q >= 0 in every sector. s = 0 for all other charts. May be NULL when only NATURAL exists. Pure. */
+  /* Natural parameters of chart point (p,q). Charts around a flat point are branched: sector s counts quarter turns
+   * around it, with p, q >= 0 in every sector. s = 0 for all other charts. May be NULL when only NATURAL exists. Pure.
+   */
   void (*locate)(const void *data, lam_chart chart, int sector, double p, double q, double *u, double *v);
-  /* The number of sectors around the chart's origin when the chart is branched there (6 for a monkey saddle); 0 or a NULL
-   * function: not branched. */
+  /* The number of sectors around the chart's origin when the chart is branched there (6 for a monkey saddle); 0 or a
+   * NULL function: not branched. */
   int (*sectors)(const void *data, lam_chart chart);
 } lam_surface_kind;
 
@@ -53,8 +62,8 @@ static inline void lam_surface_eval(const lam_surface *surface, double u, double
 /* The point at chart coordinates. */
 lam_vec3 lam_surface_point(const lam_surface *surface, lam_chart chart, int sector, double p, double q);
 
-/* First and second fundamental forms and curvatures of a jet. Where the surface is singular (|x_u x x_v| = 0) the normal is
- * zero and the curvatures are NaN. */
+/* First and second fundamental forms and curvatures of a jet. Where the surface is singular (|x_u x x_v| = 0) the
+ * normal is zero and the curvatures are NaN. */
 typedef struct lam_curvature {
   lam_vec3 normal;
   double E, F, G, L, M, N;

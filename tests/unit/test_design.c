@@ -367,14 +367,13 @@ static void lists_state_both_lengths(void **state) {
 }
 
 static void all_messages_come_at_once(void **state) {
-  expect_bad(
-      *state, "floors: 0\ncolr: red\nstacks:\n  - {layers: 1}\n  - {widths: [1 m, x]}\nfloors: 2\n",
-      "1:9: floors: given 0; expected from 1 to 9\n"
-      "2:1: colr: no such key; expected one of height, angle, ratio, floors, cells, roof, flags, color, owner, "
-      "corner, weights, names, numbers, joint, stacks, beam, beams (did you mean color?)\n"
-      "4:5: stacks[0].widths: missing; expected a list of 2 lengths in m, cm, mm or um\n"
-      "5:20: stacks[1].widths[1]: given x; expected a length in m, cm, mm or um\n"
-      "6:1: floors: given twice; expected once (first given in line 1)\n");
+  expect_bad(*state, "floors: 0\ncolr: red\nstacks:\n  - {layers: 1}\n  - {widths: [1 m, x]}\nfloors: 2\n",
+             "1:9: floors: given 0; expected from 1 to 9\n"
+             "2:1: colr: no such key; expected one of height, angle, ratio, floors, cells, roof, flags, color, owner, "
+             "corner, weights, names, numbers, joint, stacks, beam, beams (did you mean color?)\n"
+             "4:5: stacks[0].widths: missing; expected a list of 2 lengths in m, cm, mm or um\n"
+             "5:20: stacks[1].widths[1]: given x; expected a length in m, cm, mm or um\n"
+             "6:1: floors: given twice; expected once (first given in line 1)\n");
 }
 
 static void required_keys_are_missed(void **state) {

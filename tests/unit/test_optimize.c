@@ -122,7 +122,8 @@ static void handles_on_a_fixed_boundary_are_refused(void **state) {
   net_fixture *f = *state;
   f->errors = (lam_errors){.arena = f->arena};
   lam_mesh mesh = saddle(f, 4);
-  solve(f, &mesh, 4, (setup){"asymptotic", right, "{boundary: fixed, handles: [{vertex: [0, 2], to: [0, 0, 0]}]}", NULL, NULL});
+  solve(f, &mesh, 4,
+        (setup){"asymptotic", right, "{boundary: fixed, handles: [{vertex: [0, 2], to: [0, 0, 0]}]}", NULL, NULL});
   assert_int_equal(f->errors.count, 1);
   assert_non_null(strstr(f->errors.first->text, "lies on the boundary, which is fixed"));
 }
