@@ -5,26 +5,18 @@
 /* Angle of the two tangents of a regular star (thesis 3.1, isogonal net; its eq. 3.1 as printed is another condition).
  *   T1 = unit(e1 - e3),  T2 = unit(e2 - e4),  r = T1 . T2 - cos(angle),  p[0] = cos(angle) */
 static void tangent_angle(int n, const double *x, const double *p, double *r, double *J) {
-  lam_vec3 v = lam_local(x, 0), e[4];
+  (void)n;
+  lam_vec3 e[4];
   double length[4];
-  for (int k = 0; k < 4; k++) {
-    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
-    length[k] = lam_length(E);
-    e[k] = lam_scale(E, 1 / length[k]);
-  }
+  lam_unit_edges(x, 4, e, length);
   lam_vec3 a = lam_sub(e[0], e[2]), b = lam_sub(e[1], e[3]);
   double la = lam_length(a), lb = lam_length(b);
   lam_vec3 T1 = lam_scale(a, 1 / la), T2 = lam_scale(b, 1 / lb);
   r[0] = lam_dot(T1, T2) - p[0];
   if (!J) return;
-  for (int c = 0; c < n; c++) J[c] = 0;
   lam_vec3 da = lam_unit_pullback(T1, la, T2), db = lam_unit_pullback(T2, lb, T1);
   lam_vec3 de[4] = {da, db, lam_scale(da, -1), lam_scale(db, -1)};
-  for (int k = 0; k < 4; k++) {
-    lam_vec3 dE = lam_unit_pullback(e[k], length[k], de[k]);
-    lam_add_to(J, k + 1, dE);
-    lam_add_to(J, 0, lam_scale(dE, -1));
-  }
+  lam_edges_row(J, 4, e, length, de);
 }
 
 static void add_angle(lam_scope *scope, const char *name, double cosine, bool border, double weight) {

@@ -19,4 +19,24 @@ static inline lam_vec3 lam_unit_pullback(lam_vec3 e, double length, lam_vec3 g) 
   return lam_scale(lam_along(g, -lam_dot(e, g), e), 1 / length);
 }
 
+/* Unit edges from the first vertex of an element to the next count vertices, and their lengths. */
+static inline void lam_unit_edges(const double *x, int count, lam_vec3 *e, double *length) {
+  lam_vec3 v = lam_local(x, 0);
+  for (int k = 0; k < count; k++) {
+    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
+    length[k] = lam_length(E);
+    e[k] = lam_scale(E, 1 / length[k]);
+  }
+}
+
+/* Fills a Jacobian row of 3 (count + 1) columns from the derivatives de by those unit edges. */
+static inline void lam_edges_row(double *row, int count, const lam_vec3 *e, const double *length, const lam_vec3 *de) {
+  for (int c = 0; c < 3 * (count + 1); c++) row[c] = 0;
+  for (int k = 0; k < count; k++) {
+    lam_vec3 dE = lam_unit_pullback(e[k], length[k], de[k]);
+    lam_add_to(row, k + 1, dE);
+    lam_add_to(row, 0, lam_scale(dE, -1));
+  }
+}
+
 #endif

@@ -8,13 +8,9 @@
  * With M = (e1 - e3) x (e2 - e4) and g = (c - N (N.c)) / |M|:  dr/da = b x g, dr/db = g x a, dr/dc = N for r = N.c. */
 static void planar_star(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
-  lam_vec3 v = lam_local(x, 0), e[4];
+  lam_vec3 e[4];
   double length[4];
-  for (int k = 0; k < 4; k++) {
-    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
-    length[k] = lam_length(E);
-    e[k] = lam_scale(E, 1 / length[k]);
-  }
+  lam_unit_edges(x, 4, e, length);
   lam_vec3 a = lam_sub(e[0], e[2]), b = lam_sub(e[1], e[3]), M = lam_cross(a, b);
   double size = lam_length(M);
   lam_vec3 N = lam_scale(M, 1 / size);
@@ -22,16 +18,11 @@ static void planar_star(int n, const double *x, const double *p, double *r, doub
     r[i] = lam_dot(N, e[i]);
     if (!J) continue;
     double *row = J + i * n;
-    for (int c = 0; c < n; c++) row[c] = 0;
     lam_vec3 g = lam_scale(lam_along(e[i], -r[i], N), 1 / size);
     lam_vec3 da = lam_cross(b, g), db = lam_cross(g, a);
     lam_vec3 de[4] = {da, db, lam_scale(da, -1), lam_scale(db, -1)};
     de[i] = lam_add(de[i], N);
-    for (int k = 0; k < 4; k++) {
-      lam_vec3 dE = lam_unit_pullback(e[k], length[k], de[k]);
-      lam_add_to(row, k + 1, dE);
-      lam_add_to(row, 0, lam_scale(dE, -1));
-    }
+    lam_edges_row(row, 4, e, length, de);
   }
 }
 
@@ -41,13 +32,9 @@ enum { most_valence = 12 };
 static void planar_fan(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   int m = n / 3 - 1;
-  lam_vec3 v = lam_local(x, 0), e[most_valence], S = {0, 0, 0};
+  lam_vec3 e[most_valence], S = {0, 0, 0};
   double length[most_valence];
-  for (int k = 0; k < m; k++) {
-    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
-    length[k] = lam_length(E);
-    e[k] = lam_scale(E, 1 / length[k]);
-  }
+  lam_unit_edges(x, m, e, length);
   for (int k = 0; k < m; k++) S = lam_add(S, lam_cross(e[k], e[(k + 1) % m]));
   double size = lam_length(S);
   lam_vec3 N = lam_scale(S, 1 / size);
@@ -55,42 +42,28 @@ static void planar_fan(int n, const double *x, const double *p, double *r, doubl
     r[i] = lam_dot(N, e[i]);
     if (!J) continue;
     double *row = J + i * n;
-    for (int c = 0; c < n; c++) row[c] = 0;
     lam_vec3 g = lam_scale(lam_along(e[i], -r[i], N), 1 / size);
-    for (int k = 0; k < m; k++) {
-      /* S contains e_(k-1) x e_k + e_k x e_(k+1): dS.g = de_k . ((e_(k+1) - e_(k-1)) x g) */
-      lam_vec3 de = lam_cross(lam_sub(e[(k + 1) % m], e[(k + m - 1) % m]), g);
-      if (k == i) de = lam_add(de, N);
-      lam_vec3 dE = lam_unit_pullback(e[k], length[k], de);
-      lam_add_to(row, k + 1, dE);
-      lam_add_to(row, 0, lam_scale(dE, -1));
-    }
+    lam_vec3 de[most_valence]; /* S contains e_(k-1) x e_k + e_k x e_(k+1): dS.g = de_k . ((e_(k+1) - e_(k-1)) x g) */
+    for (int k = 0; k < m; k++) de[k] = lam_cross(lam_sub(e[(k + 1) % m], e[(k + m - 1) % m]), g);
+    de[i] = lam_add(de[i], N);
+    lam_edges_row(row, m, e, length, de);
   }
 }
 
 /* Border vertex with its two border edges e1, e3 and its inner edge e2: r = N . e1, N = unit((e1 - e3) x e2). */
 static void planar_half_star(int n, const double *x, const double *p, double *r, double *J) {
-  (void)p;
-  lam_vec3 v = lam_local(x, 0), e[3];
+  (void)n, (void)p;
+  lam_vec3 e[3];
   double length[3];
-  for (int k = 0; k < 3; k++) {
-    lam_vec3 E = lam_sub(lam_local(x, k + 1), v);
-    length[k] = lam_length(E);
-    e[k] = lam_scale(E, 1 / length[k]);
-  }
+  lam_unit_edges(x, 3, e, length);
   lam_vec3 a = lam_sub(e[0], e[2]), M = lam_cross(a, e[1]);
   double size = lam_length(M);
   lam_vec3 N = lam_scale(M, 1 / size);
   r[0] = lam_dot(N, e[0]);
   if (!J) return;
-  for (int c = 0; c < n; c++) J[c] = 0;
   lam_vec3 g = lam_scale(lam_along(e[0], -r[0], N), 1 / size), da = lam_cross(e[1], g);
   lam_vec3 de[3] = {lam_add(da, N), lam_cross(g, a), lam_scale(da, -1)};
-  for (int k = 0; k < 3; k++) {
-    lam_vec3 dE = lam_unit_pullback(e[k], length[k], de[k]);
-    lam_add_to(J, k + 1, dE);
-    lam_add_to(J, 0, lam_scale(dE, -1));
-  }
+  lam_edges_row(J, 3, e, length, de);
 }
 
 static void add_half_stars(lam_scope *scope, double weight) {

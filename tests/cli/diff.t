@@ -1,31 +1,7 @@
 #!/usr/bin/env bash
 # lamella diff: meshes and pictures that are the same, that differ, and bad input.
 set -u
-cd "$(dirname "$0")/../.." || exit 1
-lamella=$(realpath -m "${LAMELLA:-build/lamella}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-number=0
-
-# run ARGUMENTS: leaves status, out and err.
-run() {
-  "$lamella" "$@" >out 2>err
-  status=$?
-}
-# ok NAME CONDITION...: a test that passes when the condition, a command, succeeds.
-ok() {
-  local name=$1
-  shift
-  number=$((number + 1))
-  if "$@"; then
-    echo "ok $number - $name"
-  else
-    echo "not ok $number - $name"
-    echo "# exit code $status"
-    sed 's/^/# /' out err | head -30
-  fi
-}
+. "$(dirname "$0")/scratch.sh"
 skip() { number=$((number + 1)) && echo "ok $number # SKIP $1"; }
 says() { [[ $status -eq $1 ]] && grep -qE -- "$2" out; }
 complains() { [[ $status -eq 2 ]] && grep -qE -- "$1" err; }
