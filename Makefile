@@ -95,7 +95,7 @@ all_but_png := report,obj,stl,scad,dxf,svg,gltf,bom,nodes,assembly,pov
 models: $(designs:%=build/models/%/report.json)
 build/models/%/report.json: templates/designs/%.yaml build/lamella
 	@echo "  make $*"
-	@mkdir -p $(@D)
+	@rm -rf $(@D) && mkdir -p $(@D)
 	@build/lamella build $< -o $(@D) --deps build/models/$*.d --only $(all_but_png) >build/models/$*.txt || { cat build/models/$*.txt; exit 1; }
 -include $(designs:%=build/models/%.d)
 
@@ -105,7 +105,7 @@ demo: setup-demo
 	@echo; echo "files in build/demo:"; cd build/demo && ls -p | grep -v / | sed 's|^|  |'; \
 	 for d in parts sheets; do echo "  $$d/: $$(ls $$d | wc -l) files, $$(ls $$d | head -n 1) ..."; done
 build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
-	@mkdir -p build/demo
+	@rm -rf build/demo && mkdir -p build/demo
 	build/lamella build $< -o build/demo --deps build/demo.d --set render.quality=middle >build/demo.txt || { cat build/demo.txt; exit 1; }
 -include build/demo.d
 
