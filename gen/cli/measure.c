@@ -75,8 +75,9 @@ static int measure(lam_arena *arena, int argc, char **argv) {
       !lam_net_build(arena, &mesh, (lam_place){.file = given.path}, &errors, &net))
     return lam_complain(&errors);
   int count;
-  lam_measure *measures =
-      lam_net_measure(arena, &net, net.mesh.vertices, given.angle * M_PI / 180, kind ? kind->measures : NULL, &count);
+  lam_measuring measuring = lam_measuring_of(arena, &net, net.mesh.vertices);
+  measuring.target_angle = given.angle * M_PI / 180;
+  lam_measure *measures = lam_net_measure(&measuring, kind ? kind->measures : NULL, &count);
   if (given.json) {
     print_json(given.path, &net, measures, count);
   } else {

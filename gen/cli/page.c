@@ -116,7 +116,10 @@ void lam_page_entry(lam_text *text, const lam_section *section, const lam_listed
     lam_text_add(text, "\n");
   }
   add_paragraph(text, NULL, entry->doc);
+  add_paragraph(text, "What it is for", entry->use);
+  add_paragraph(text, "What can go wrong", entry->trouble);
   add_lines(text, "Equation", entry->equation);
+  add_lines(text, "How it is made", entry->facts);
   add_paragraph(text, "Source", entry->source);
   add_usage(text, section, entry);
   add_keys(text, "Keys", entry->keys);

@@ -16,9 +16,42 @@ static lam_listed *collect_rows(lam_arena *arena, const lam_section *section, in
   lam_listed *listed = LAM_NEW(arena, lam_listed, registry->count);
   for (int i = 0; i < registry->count; i++) {
     const lam_row_head *head = registry->rows[i];
-    listed[i] = (lam_listed){head->name, head->title, head->doc, head->equation, head->source, head->keys, NULL};
+    listed[i] = (lam_listed){head->name, head->title, head->doc, head->equation, head->source,
+                             head->keys, NULL,        NULL,      NULL,           NULL};
   }
   *count = registry->count;
+  return listed;
+}
+
+/* "positions", or "displacements from the start, closeness 0.3" */
+static const char *guide_text(lam_arena *arena, const lam_net_kind *kind) {
+  const lam_guide *guide = &kind->guide;
+  lam_text text = {.arena = arena};
+  lam_text_printf(&text, "fairness of %s", lam_fairness_choices[guide->fair]);
+  if (guide->closeness > 0) lam_text_printf(&text, ", closeness %g", guide->closeness);
+  if (guide->stiffness > 0) lam_text_printf(&text, ", stiffness %g", guide->stiffness);
+  return text.data;
+}
+
+static lam_listed *collect_nets(lam_arena *arena, const lam_section *section, int *count) {
+  lam_listed *listed = collect_rows(arena, section, count);
+  for (int i = 0; i < *count; i++) {
+    const lam_net_kind *kind = (const lam_net_kind *)section->registry->rows[i];
+    listed[i].use = kind->use;
+    listed[i].trouble = kind->trouble;
+    lam_text text = {.arena = arena};
+    lam_text_printf(&text, "starts from the %s lines of a surface, or from a mesh\n", lam_chart_names[kind->chart]);
+    if (kind->levels > 0) lam_text_printf(&text, "coarse to fine: %d coarser nets are solved first\n", kind->levels);
+    if (kind->schedule.fairness > 0)
+      lam_text_printf(&text, "%s; weight %g, faded out after %d iterations\n", guide_text(arena, kind),
+                      kind->schedule.fairness, lam_schedule_fade(&kind->schedule));
+    else
+      lam_text_add(&text, "no fairness: the start is near the solution\n");
+    lam_text_add(&text, "measured by ");
+    for (int k = 0; kind->measures[k]; k++) lam_text_printf(&text, "%s%s", k ? ", " : "", kind->measures[k]);
+    if (kind->constrain_thesis) lam_text_add(&text, "\nalso in the thesis' own formulation: solver: thesis");
+    listed[i].facts = text.data;
+  }
   return listed;
 }
 
@@ -87,7 +120,7 @@ const lam_section lam_sections[] = {
      .usage = "net: {kind: %s",
      .common = lam_net_common_keys,
      .registry = &lam_nets,
-     .collect = collect_rows},
+     .collect = collect_nets},
     {.name = "constraints",
      .noun = "constraint",
      .doc = "Further constraints of a net, beside its own.",

@@ -9,7 +9,9 @@
 typedef struct lam_listed {
   const char *name, *title, *doc, *equation, *source;
   const lam_key *keys;
-  const char *file; /* of a design, to be shown whole */
+  const char *file;          /* of a design, to be shown whole */
+  const char *use, *trouble; /* what it is for, what can go wrong */
+  const char *facts;         /* lines of further facts, under "How it is made" */
 } lam_listed;
 
 typedef struct lam_section {

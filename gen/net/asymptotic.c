@@ -59,20 +59,20 @@ static const char *const measures[] = {"star_planarity", "angle_deviation", "cro
                                        "shortest_edge",  "foldovers",       "flatness",       NULL};
 
 const lam_net_kind lam_net_asymptotic = {
-    {"asymptotic", "Asymptotic net",
-     "The polylines follow the asymptotic curves of a saddle-shaped surface: every vertex lies in one plane with its "
-     "four "
-     "neighbors. Strips normal to the net along the polylines have no normal curvature, so they unroll straight and "
-     "can be cut from "
-     "straight stock: the asymptotic gridshell. With right angles the surface is minimal and all nodes are alike; with "
-     "another "
-     "constant angle the ratio of the principal curvatures is constant. Exists only where K < 0: a dome can only "
-     "flatten, "
-     "which is reported as degenerate.",
-     "N.e1 = N.e2 = 0 at every star; T1.T2 = cos(angle)", "thesis 3.3 and 3.2.4", keys, sizeof(params)},
-    LAM_CHART_ASYMPTOTIC,
-    {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
-    {LAM_FAIR_POSITION, .3, 0},
-    constrain,
-    measures,
-    target_angle};
+    .head =
+        {"asymptotic", "Asymptotic net",
+         "The polylines follow the asymptotic curves of a saddle-shaped surface: every vertex lies in one plane with "
+         "its "
+         "four "
+         "neighbors. With right angles the surface is minimal; with another constant angle the ratio of its principal "
+         "curvatures is constant.",
+         "N.e1 = N.e2 = 0 at every star; T1.T2 = cos(angle)", "thesis 3.3 and 3.2.4", keys, sizeof(params)},
+    .use = "The asymptotic gridshell: strips normal to the net have no normal curvature, so they unroll straight and "
+           "can be cut from straight stock. With a constant angle all nodes are alike.",
+    .trouble = "Exists only where K < 0: a dome can only flatten, which is reported as degenerate.",
+    .chart = LAM_CHART_ASYMPTOTIC,
+    .schedule = {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
+    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .constrain = constrain,
+    .measures = measures,
+    .target_angle = target_angle};

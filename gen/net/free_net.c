@@ -6,14 +6,17 @@ static const char *const measures[] = {"star_planarity", "face_planarity", "cros
                                        "shortest_edge",  "foldovers",      "flatness",       NULL};
 
 const lam_net_kind lam_net_free = {
-    {"free", "Net of listed constraints",
-     "Has no constraint of its own: it is what its `constraints` list says, and the parameter lines of the surface "
-     "when the list is "
-     "empty.",
-     NULL, NULL, NULL, 0},
-    LAM_CHART_NATURAL,
-    {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
-    {LAM_FAIR_POSITION, .3, 0},
-    constrain,
-    measures,
-    NULL};
+    .head =
+        {"free", "Net of listed constraints",
+         "Has no constraint of its own: it is what its `constraints` list says, and the parameter lines of the surface "
+         "when the list is "
+         "empty.",
+         NULL, NULL, NULL, 0},
+    .use = "Trying out what a combination of constraints does, and nets that have no name of their own.",
+    .trouble = "Constraints that contradict each other: the report says stalled, and names the block with the largest "
+               "residual.",
+    .chart = LAM_CHART_NATURAL,
+    .schedule = {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
+    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .constrain = constrain,
+    .measures = measures};

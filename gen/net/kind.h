@@ -17,12 +17,18 @@ typedef struct lam_guide {
 
 typedef struct lam_net_kind {
   lam_row_head head;
-  lam_chart chart;
-  lam_schedule schedule;                                                    /* default */
-  lam_guide guide;                                                          /* default */
+  const char *use;       /* what it is for in building */
+  const char *trouble;   /* what can go wrong, and what to do then */
+  lam_chart chart;       /* the parameterization that it starts from */
+  int levels;            /* default of the key `levels`: coarse nets that are solved first */
+  lam_schedule schedule; /* default */
+  lam_guide guide;       /* default */
   void (*constrain)(lam_scope *scope, const void *params, lam_place place); /* adds the hard constraints */
   const char *const *measures;                                              /* NULL-terminated names (net/measure.h) */
   double (*target_angle)(const void *params);                               /* NULL: no crossing angle is aimed at */
+  /* The same constraints in the form of thesis 3.7, with auxiliary unknowns and equations that are at most quadratic;
+   * NULL: the thesis gives none. */
+  void (*constrain_thesis)(lam_scope *scope, const void *params, lam_place place);
 } lam_net_kind;
 
 extern const lam_registry lam_nets;

@@ -1,34 +1,58 @@
-/* Independent measures of a net, from positions alone: never the residuals that were minimized. One list. */
+/* Independent measures of a net, from positions alone: never the residuals that were minimized. Like measures share a
+ * file measure_*.c; the list is in measure.c. */
 #ifndef LAM_NET_MEASURE_H
 #define LAM_NET_MEASURE_H
 
+#include "core/solid.h"
 #include "net/net.h"
 
+#include <math.h>
+
 typedef struct lam_measuring {
+  lam_arena *arena; /* of scratch and results */
   const lam_net *net;
-  const lam_vec3 *positions;
+  const lam_vec3 *positions; /* meters */
   double mean_edge;
-  double target_angle; /* for angle_deviation; radians */
+  double target_angle;               /* for angle_deviation; radians */
+  const lam_tree *reference;         /* a mesh to compare with; NULL: none */
+  const lam_trimesh *reference_mesh; /* of the tree */
+  const double *axis;                /* point and direction of a surface of revolution (6 numbers); NULL: none */
 } lam_measuring;
+
+/* What a measure has one value on. */
+typedef enum lam_measure_on { LAM_ON_VERTICES, LAM_ON_EDGES, LAM_ON_FACES, LAM_ON_NET } lam_measure_on;
+
+/* The value of elements on which a measure is not defined: not counted, not drawn. */
+#define LAM_UNDEFINED (-INFINITY)
 
 typedef struct lam_measure_kind {
   const char *name, *unit, *doc;
-  /* Fills max, mean and count. */
-  void (*run)(const lam_measuring *in, lam_measure *out);
+  lam_measure_on on;
+  /* Writes the values of the elements (all LAM_UNDEFINED before). Scratch comes from in->arena. */
+  void (*run)(const lam_measuring *in, double *values);
 } lam_measure_kind;
 
-extern const lam_measure_kind lam_measures[];
+extern const lam_measure_kind *const lam_measures[];
 extern const int lam_measure_count;
+const lam_measure_kind *lam_measure_find(const char *name); /* or NULL */
 
-/* Runs the named measures (NULL-terminated; NULL: all) and returns them; count is the number. */
-lam_measure *lam_net_measure(lam_arena *arena, const lam_net *net, const lam_vec3 *positions, double target_angle,
-                             const char *const *names, int *count);
-/* The value of one measure. */
-lam_measure lam_net_measure_one(const lam_net *net, const lam_vec3 *positions, const char *name);
+/* Number of values: vertices, edges, faces or 1. */
+int lam_measure_size(const lam_measure_kind *kind, const lam_net *net);
+/* One value per element, in in->arena. */
+double *lam_measure_values(const lam_measure_kind *kind, const lam_measuring *in);
+/* Largest, mean and number of the defined values; a value that is not a number is the largest. */
+lam_measure lam_measure_summary(const lam_measure_kind *kind, const double *values, int count);
+
+/* What measures need, with a right angle as the target and no reference. */
+lam_measuring lam_measuring_of(lam_arena *arena, const lam_net *net, const lam_vec3 *positions);
+/* Runs the named measures (NULL-terminated; NULL: all) and returns their summaries; count is the number. */
+lam_measure *lam_net_measure(const lam_measuring *in, const char *const *names, int *count);
+/* The summary of one measure. */
+lam_measure lam_net_measure_one(lam_arena *arena, const lam_net *net, const lam_vec3 *positions, const char *name);
 
 /* Names the degenerate state of a solved net, or NULL: "not a number: ...", "shrunk: ...", "flown apart: ...",
  * "collapsed: ...", "flattened: ...", "folded: ...". before and after are positions; the states are judged against the
  * start, so that a plane that was a plane is none. */
-const char *lam_net_degenerate(const lam_net *net, const lam_vec3 *before, const lam_vec3 *after);
+const char *lam_net_degenerate(lam_arena *arena, const lam_net *net, const lam_vec3 *before, const lam_vec3 *after);
 
 #endif

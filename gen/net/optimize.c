@@ -153,7 +153,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     if (errors->count > before) return false;
   }
   result->solution.iterations = iterations;
-  result->degenerate = lam_net_degenerate(net, start, x);
+  result->degenerate = lam_net_degenerate(arena, net, start, x);
   result->converged = result->solution.converged && !result->degenerate;
   result->reason = result->degenerate ? result->degenerate : result->solution.reason;
   for (int v = 0; v < n; v++) {
@@ -161,7 +161,8 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
   double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  result->measures = lam_net_measure(arena, net, net->mesh.vertices, isnan(target) ? right_angle : target,
-                                     job->kind->measures, &result->measure_count);
+  lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
+  if (!isnan(target)) measuring.target_angle = target;
+  result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
   return true;
 }

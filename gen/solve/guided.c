@@ -42,6 +42,12 @@ static double fairness_at(const lam_schedule *s, int iteration) {
   return w < s->floor ? 0 : w;
 }
 
+int lam_schedule_fade(const lam_schedule *schedule) {
+  int k = 0;
+  while (k < schedule->max_iterations && fairness_at(schedule, k) > 0) k++;
+  return k;
+}
+
 static lam_weights weights_at(const lam_schedule *s, int iteration) {
   double fairness = fairness_at(s, iteration);
   return (lam_weights){1, s->fade_soft && s->fairness > 0 ? fairness / s->fairness : 1, fairness};

@@ -32,6 +32,8 @@ typedef struct lam_solution {
 } lam_solution;
 
 lam_schedule lam_schedule_default(void);
+/* Iterations until the fairness is gone. */
+int lam_schedule_fade(const lam_schedule *schedule);
 /* Solves in place (problem->x). Non-convergence is a result, not an error. */
 lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule, const lam_progress *progress);
 /* One linear solve that minimizes the fairness blocks and (closeness to the start)^2 * weight^2: for noisy starts. */

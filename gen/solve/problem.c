@@ -22,7 +22,7 @@ lam_problem *lam_problem_new(lam_arena *arena, int vertex_count, const lam_vec3 
 }
 
 int lam_problem_node(lam_problem *problem, int size, const double *start) {
-  assert(size > 0 && problem->block_count == 0);
+  assert(size > 0);
   int n = problem->node_count, unknowns = problem->offset[n];
   if (n == problem->node_capacity) {
     int capacity = n + n / 2 + 16;

@@ -51,7 +51,8 @@ typedef struct lam_problem {
 
 /* A problem on vertices at positions (copied). */
 lam_problem *lam_problem_new(lam_arena *arena, int vertex_count, const lam_vec3 *positions);
-/* Adds a node of 1 to 8 unknowns with the given start; returns its index. All nodes come before lam_problem_add. */
+/* Adds a node of 1 to 8 unknowns with the given start; returns its index. Blocks added before do not
+ * change. */
 int lam_problem_node(lam_problem *problem, int size, const double *start);
 /* Adds a block (nothing when count is 0); nodes and params are kept by pointer. */
 void lam_problem_add(lam_problem *problem, lam_block block);

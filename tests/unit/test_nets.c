@@ -1,7 +1,8 @@
-/* Nets of the table tests/cases/nets/cases.txt, solved and judged by measures that the solver does not know. */
+/* Nets of the tables in tests/cases/nets (*.txt), solved and judged by measures that the solver does not know. */
 #include "jet_fixture.h"
 #include "net/optimize.h"
 
+#include <glob.h>
 #include <stdlib.h>
 
 enum { columns = 7 };
@@ -186,18 +187,23 @@ static void check_row(net_fixture *f, char *line) {
     check_term(&s, cell[0], term);
 }
 
-static void every_case_of_the_table(void **state) {
+static void every_case_of_the_tables(void **state) {
   net_fixture *f = *state;
-  FILE *table = fopen("tests/cases/nets/cases.txt", "r");
-  assert_non_null(table);
-  char line[1024];
+  glob_t tables;
+  assert_int_equal(glob("tests/cases/nets/*.txt", 0, NULL, &tables), 0);
   int rows = 0;
-  while (fgets(line, sizeof line, table)) {
-    if (line[0] == '#' || line[0] == '\n') continue;
-    check_row(f, line);
-    rows++;
+  for (size_t i = 0; i < tables.gl_pathc; i++) {
+    FILE *table = fopen(tables.gl_pathv[i], "r");
+    assert_non_null(table);
+    char line[1024];
+    while (fgets(line, sizeof line, table)) {
+      if (line[0] == '#' || line[0] == '\n') continue;
+      check_row(f, line);
+      rows++;
+    }
+    fclose(table);
   }
-  fclose(table);
+  globfree(&tables);
   assert_true(rows >= 11);
 }
 
@@ -245,7 +251,7 @@ static void mean_curvature_falls_with_the_square_of_the_edge(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      NET_TEST(every_case_of_the_table),
+      NET_TEST(every_case_of_the_tables),
       NET_TEST(a_dome_is_reported_as_flattened),
       NET_TEST(mean_curvature_falls_with_the_square_of_the_edge),
   };

@@ -7,6 +7,7 @@ typedef struct outcome {
   lam_net net;
   lam_mesh start;
   lam_net_result result;
+  lam_arena *arena;
 } outcome;
 
 typedef struct setup {
@@ -17,7 +18,7 @@ typedef struct setup {
 
 /* grid: cells along both families; 0: the mesh is no grid. */
 static outcome solve(net_fixture *f, const lam_mesh *mesh, int grid, setup s) {
-  outcome o = {.net = net_built(f, mesh), .start = *mesh};
+  outcome o = {.net = net_built(f, mesh), .start = *mesh, .arena = f->arena};
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, s.kind);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, s.keys);
   common->grid[0] = common->grid[1] = grid;
@@ -42,7 +43,7 @@ static outcome solve(net_fixture *f, const lam_mesh *mesh, int grid, setup s) {
 }
 
 static double measure(const outcome *o, const char *name) {
-  return lam_net_measure_one(&o->net, o->net.mesh.vertices, name).max;
+  return lam_net_measure_one(o->arena, &o->net, o->net.mesh.vertices, name).max;
 }
 
 static void assert_converged(const outcome *o, const char *what) {
