@@ -99,7 +99,7 @@ static lam_vec3 turned(lam_vec3 v, const double angle[3]) {
   return lam_v3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
 }
 
-lam_vec3 lam_placed(const lam_placement *placement, lam_vec3 x) {
+lam_vec3 lam_placement_apply(const lam_placement *placement, lam_vec3 x) {
   x = lam_scale(turned(x, placement->rotate), placement->scale);
   x.z += placement->lift;
   return x;

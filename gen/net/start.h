@@ -10,7 +10,7 @@
 typedef struct lam_placement {
   double rotate[3], scale, lift;
 } lam_placement;
-lam_vec3 lam_placed(const lam_placement *placement, lam_vec3 x);
+lam_vec3 lam_placement_apply(const lam_placement *placement, lam_vec3 x);
 
 /* Samples a surface. grid: cells along the families. hole: rings left out around a flat point. Scaled, turned and set
  * on the ground as place says. Errors (no such parameterization, unequal grid around a flat point, ...) go to errors;
