@@ -23,7 +23,7 @@ typedef struct pipeline {
   lam_surface surface;
   lam_net *net;
   lam_vec3 *normals;
-  lam_placement placed; /* of the surface */
+  lam_siting placed; /* of the surface */
   int stage_count;
   lam_stage stages[3]; /* surface, net, sheets; parts bring their own */
   double since;
@@ -154,7 +154,7 @@ static void keep_spline(pipeline *p) {
   *to = *from;
   int count = to->count[0] * to->count[1];
   lam_vec3 *points = LAM_NEW(p->arena, lam_vec3, count);
-  for (int i = 0; i < count; i++) points[i] = lam_placement_apply(&p->placed, from->points[i]);
+  for (int i = 0; i < count; i++) points[i] = lam_siting_apply(&p->placed, from->points[i]);
   to->points = points;
   to->name = "surface";
   p->model->surface_count = 1;
