@@ -48,13 +48,13 @@ const lam_net_kind lam_net_isogonal = {
              sizeof(lam_angle_params)},
     .use = "One node for the whole shell: the same connector, slot and clamp at every crossing. Orthogonal nets have "
            "nearly rectangular panels and are the usual start for other nets.",
-    .trouble = "One equation per vertex leaves much freedom: fairness decides the rest, and too much of it pulls the "
-               "net into a plane (reported as flattened); the guide keeps it near its start. Angles below 30 degrees "
-               "give long, narrow quads that fold easily. A fixed boundary that crosses at another angle moves the "
-               "difference into the first row, where edges shrink.",
+    .trouble = "One equation per vertex leaves much freedom. The guide shears the net with little change of its edges; "
+               "with fairness of positions instead (solver: fair) the net sinks towards a plane, which is reported as "
+               "flattened. Angles below 30 degrees give long, narrow quads that fold easily. A fixed boundary that "
+               "crosses at another angle moves the difference into the first row, where edges shrink.",
     .chart = LAM_CHART_NATURAL,
     .schedule = {.fairness = .02, .hold = 3, .decay = .473, .floor = 9e-4, .tolerance = 1e-12, .max_iterations = 100},
-    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .guide = {LAM_FAIR_DISPLACEMENT, 0, 1},
     .constrain = constrain,
     .measures = measures,
     .target_angle = target_angle};
