@@ -49,9 +49,9 @@ typedef struct lam_angle_params {
 } lam_angle_params;
 typedef enum lam_spheres { LAM_SPHERES_OWN, LAM_SPHERES_COMMON } lam_spheres;
 typedef struct lam_spherical_star_params {
-  double radius; /* meters, signed: positive when the centers lie on the side of the normal; INFINITY: planes */
-  bool radius_given;
-  int spheres; /* lam_spheres, when no radius is given */
+  double radius; /* meters, signed: positive when the centers lie on the side of the normal; INFINITY: planes; 0: it
+                    is found */
+  int spheres;   /* lam_spheres, when the radius is found */
 } lam_spherical_star_params;
 extern const lam_key lam_star_keys[]; /* of lam_star_params */
 typedef struct lam_edge_length_params {

@@ -100,7 +100,7 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   lam_block block = {.name = "spherical-star", .rows = 2, .weight = weight, .arity = 5};
   block.count = lam_scope_stars(scope, false, &block.nodes);
   if (block.count == 0) return;
-  if (given->radius_given) {
+  if (given->radius != 0) {
     if (!radius_fits(scope, given->radius, place)) return;
     block.kernel = given_sphere;
     block.param_count = 1;
@@ -128,16 +128,16 @@ static const lam_key keys[] = {
      .initial = "0",
      .min = -1e12,
      .max = 1e12,
-     .given_offset = offsetof(lam_spherical_star_params, radius_given),
      .doc = "Radius of every sphere; negative when the centers lie behind the surface, seen from the tip of its normal "
-            "(a dome with normals outwards). Left out: it is found."},
+            "(a dome with normals outwards). 0: it is found."},
     {.name = "spheres",
      .type = LAM_KEY_CHOICE,
      .offset = offsetof(lam_spherical_star_params, spheres),
      .count = 1,
      .initial = "own",
      .choices = sphere_choices,
-     .doc = "Without a radius. own: every star has a sphere of its own; common: all have the same, unknown radius."},
+     .doc = "When the radius is found. own: every star has a sphere of its own; common: all have the same, unknown "
+            "radius."},
     {0}};
 
 const lam_constraint_kind lam_con_spherical_star = {

@@ -2,22 +2,19 @@
 
 typedef struct params {
   double length;
-  bool length_given;
   bool generalized;
 } params;
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
-  if (p->generalized && p->length_given)
+  if (p->generalized && p->length > 0)
     lam_error_add(scope->errors, place, "net.length",
                   "given together with generalized: yes, whose edges have many lengths; expected one of the two");
-  else if (p->length_given && !(p->length > 0))
-    lam_error_add(scope->errors, place, "net.length", "given %g m; expected a length above 0", p->length);
   else if (p->generalized)
     lam_con_opposite_edges.add(scope, NULL, 1, place);
   else
     lam_edge_length_add(scope, "edge-length", LAM_HARD, 1,
-                        (lam_edge_length_params){.length = p->length_given ? p->length : scope->unit});
+                        (lam_edge_length_params){.length = p->length > 0 ? p->length : scope->unit});
 }
 
 static const lam_key keys[] = {
@@ -29,8 +26,7 @@ static const lam_key keys[] = {
      .initial = "0",
      .min = 0,
      .max = 1e6,
-     .given_offset = offsetof(params, length_given),
-     .doc = "Length of every edge. Left out: the mean edge of the start."},
+     .doc = "Length of every edge. 0: the mean edge of the start."},
     {.name = "generalized",
      .type = LAM_KEY_FLAG,
      .offset = offsetof(params, generalized),

@@ -2,7 +2,6 @@
 
 typedef struct params {
   double radius;
-  bool radius_given;
   bool isogonal;
   double angle;
   bool angle_given;
@@ -10,7 +9,7 @@ typedef struct params {
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
-  lam_spherical_star_params spheres = {p->radius, p->radius_given, LAM_SPHERES_COMMON};
+  lam_spherical_star_params spheres = {p->radius, LAM_SPHERES_COMMON};
   lam_con_spherical_star.add(scope, &spheres, 1, place);
   if (!p->isogonal && p->angle_given)
     lam_error_add(scope->errors, place, "net.angle", "given together with isogonal: no; expected one of the two");
@@ -34,9 +33,8 @@ static const lam_key keys[] = {
      .initial = "0",
      .min = -1e12,
      .max = 1e12,
-     .given_offset = offsetof(params, radius_given),
      .doc = "Radius of every sphere, 1 / mean curvature; negative when the centers lie behind the surface, seen from "
-            "the tip of its normal (a tube or dome with normals outwards). Left out: one radius for all is found."},
+            "the tip of its normal (a tube or dome with normals outwards). 0: one radius for all is found."},
     {.name = "isogonal",
      .type = LAM_KEY_FLAG,
      .offset = offsetof(params, isogonal),

@@ -2,19 +2,14 @@
 
 typedef struct params {
   double length;
-  bool length_given;
   bool border;
 } params;
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
-  if (p->length_given && !(p->length > 0)) {
-    lam_error_add(scope->errors, place, "net.length", "given %g m; expected a length above 0", p->length);
-    return;
-  }
   lam_con_planar_star.add(scope, &(lam_star_params){.border = p->border}, 1, place);
   lam_edge_length_add(scope, "edge-length", LAM_HARD, 1,
-                      (lam_edge_length_params){.length = p->length_given ? p->length : scope->unit});
+                      (lam_edge_length_params){.length = p->length > 0 ? p->length : scope->unit});
 }
 
 static const lam_key keys[] = {{.name = "length",
@@ -25,8 +20,7 @@ static const lam_key keys[] = {{.name = "length",
                                 .initial = "0",
                                 .min = 0,
                                 .max = 1e6,
-                                .given_offset = offsetof(params, length_given),
-                                .doc = "Length of every edge. Left out: the mean edge of the start."},
+                                .doc = "Length of every edge. 0: the mean edge of the start."},
                                {.name = "border",
                                 .type = LAM_KEY_FLAG,
                                 .offset = offsetof(params, border),
