@@ -44,15 +44,17 @@ double *lam_measure_values(const lam_measure_kind *kind, const lam_measuring *in
 }
 
 lam_measure lam_measure_summary(const lam_measure_kind *kind, const double *values, int count) {
-  lam_measure out = {.name = kind->name, .unit = kind->unit};
+  lam_measure out = {.name = kind->name, .unit = kind->unit, .min = NAN, .max = NAN, .mean = NAN};
+  double sum = 0;
   for (int i = 0; i < count; i++) {
     if (values[i] == LAM_UNDEFINED) continue;
-    /* a value that is not a number stays the largest */
+    /* a value that is not a number stays the smallest and the largest */
+    if (out.count == 0 || (!(values[i] >= out.min) && !isnan(out.min))) out.min = values[i];
     if (out.count == 0 || (!(values[i] <= out.max) && !isnan(out.max))) out.max = values[i];
-    out.mean += values[i];
+    sum += values[i];
     out.count++;
   }
-  if (out.count) out.mean /= (double)out.count;
+  if (out.count) out.mean = sum / (double)out.count;
   return out;
 }
 

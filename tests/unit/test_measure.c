@@ -31,6 +31,7 @@ static void a_unit_grid(void **state) {
     assert_int_equal(count, sizeof rows / sizeof *rows); /* every measure has a row here */
     for (int k = 0; k < count; k++) {
       assert_string_equal(all[k].name, rows[k].name);
+      assert_near(all[k].min, rows[k].value, 1e-13);
       assert_near(all[k].max, rows[k].value, 1e-13);
       assert_near(all[k].mean, rows[k].value, 1e-13);
       assert_int_equal(all[k].count, rows[k].count);
@@ -112,7 +113,7 @@ static void a_folded_net(void **state) {
     if (mesh.vertices[v].x > 2) mesh.vertices[v].x = 4 - mesh.vertices[v].x, mesh.vertices[v].z = .1;
   lam_measure m = measured(f, &mesh, "foldovers");
   assert_near(m.max, 3, 0);
-  assert_int_equal(m.count, 31);
+  assert_int_equal(m.count, 1);
   lam_mesh cube = net_cube(f->arena);
   assert_near(measured(f, &cube, "foldovers").max, 0, 0);
 }
@@ -144,7 +145,28 @@ static void not_a_number_is_not_hidden(void **state) {
     mesh.vertices[v].z = NAN;
     assert_true(isnan(measured(f, &mesh, "edge_length").max));
     assert_true(isnan(measured(f, &mesh, "edge_length").mean));
+    assert_true(isnan(measured(f, &mesh, "edge_length").min));
   }
+}
+
+/* A single quad has no star: its angles are undefined, not 0. */
+static void what_no_element_has_is_undefined(void **state) {
+  net_fixture *f = *state;
+  lam_mesh quad = net_grid(f->arena, 2, 2, net_plane);
+  lam_measure m = measured(f, &quad, "turning_angle");
+  assert_int_equal(m.count, 0);
+  assert_true(isnan(m.min) && isnan(m.max) && isnan(m.mean));
+}
+
+/* Cells of 1 x 1 stretched to 1 x 2.5. */
+static void smallest_and_largest(void **state) {
+  net_fixture *f = *state;
+  lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
+  for (int v = 0; v < 9; v++) mesh.vertices[v].y *= 2.5;
+  lam_measure m = measured(f, &mesh, "edge_length");
+  assert_near(m.min, 1, 1e-15);
+  assert_near(m.max, 2.5, 1e-15);
+  assert_near(m.mean, 1.75, 1e-15);
 }
 
 static const char *state_of(net_fixture *f, const lam_mesh *before, lam_vec3 (*move)(lam_vec3 x)) {
@@ -193,6 +215,8 @@ int main(void) {
       NET_TEST(a_folded_net),
       NET_TEST(flatness_is_thickness_over_length),
       NET_TEST(not_a_number_is_not_hidden),
+      NET_TEST(what_no_element_has_is_undefined),
+      NET_TEST(smallest_and_largest),
       NET_TEST(degenerate_states_have_names),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
