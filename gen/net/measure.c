@@ -6,12 +6,35 @@
 
 extern const lam_measure_kind lam_measure_star_planarity, lam_measure_face_planarity, lam_measure_angle_deviation,
     lam_measure_crossing_angle, lam_measure_turning_angle, lam_measure_edge_length, lam_measure_shortest_edge,
-    lam_measure_foldovers, lam_measure_flatness;
+    lam_measure_foldovers, lam_measure_flatness, lam_measure_turning_angle_u, lam_measure_turning_angle_v,
+    lam_measure_edge_ratio, lam_measure_mean_curvature, lam_measure_gauss_curvature, lam_measure_curvature_ratio,
+    lam_measure_cotangent_mean_curvature, lam_measure_gauss_image_area, lam_measure_gauss_image_area_signed,
+    lam_measure_angle_defect, lam_measure_principal_deviation, lam_measure_distance_to_reference,
+    lam_measure_distance_from_reference;
 
 const lam_measure_kind *const lam_measures[] = {
-    &lam_measure_star_planarity, &lam_measure_face_planarity, &lam_measure_angle_deviation,
-    &lam_measure_crossing_angle, &lam_measure_turning_angle,  &lam_measure_edge_length,
-    &lam_measure_shortest_edge,  &lam_measure_foldovers,      &lam_measure_flatness,
+    &lam_measure_star_planarity,
+    &lam_measure_face_planarity,
+    &lam_measure_angle_deviation,
+    &lam_measure_crossing_angle,
+    &lam_measure_turning_angle,
+    &lam_measure_edge_length,
+    &lam_measure_shortest_edge,
+    &lam_measure_foldovers,
+    &lam_measure_flatness,
+    &lam_measure_turning_angle_u,
+    &lam_measure_turning_angle_v,
+    &lam_measure_edge_ratio,
+    &lam_measure_mean_curvature,
+    &lam_measure_gauss_curvature,
+    &lam_measure_curvature_ratio,
+    &lam_measure_cotangent_mean_curvature,
+    &lam_measure_gauss_image_area,
+    &lam_measure_gauss_image_area_signed,
+    &lam_measure_angle_defect,
+    &lam_measure_principal_deviation,
+    &lam_measure_distance_to_reference,
+    &lam_measure_distance_from_reference,
 };
 const int lam_measure_count = sizeof lam_measures / sizeof *lam_measures;
 

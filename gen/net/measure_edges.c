@@ -17,6 +17,20 @@ static void shortest_edge(const lam_measuring *in, double *values) {
   values[0] = in->mean_edge > 0 ? least / in->mean_edge : 0;
 }
 
+static void edge_ratio(const lam_measuring *in, double *values) {
+  for (int f = 0; f < in->net->mesh.face_count; f++) {
+    const int *c = in->net->mesh.faces[f];
+    double low = INFINITY, high = 0;
+    for (int k = 0; k < 4; k++) {
+      double length = lam_distance(in->positions[c[k]], in->positions[c[(k + 1) % 4]]);
+      low = fmin(low, length), high = fmax(high, length);
+    }
+    values[f] = high / low;
+  }
+}
+
 const lam_measure_kind lam_measure_edge_length = {"edge_length", "m", "length of the edges", LAM_ON_EDGES, edge_length};
 const lam_measure_kind lam_measure_shortest_edge = {"shortest_edge", "", "shortest edge over the mean edge", LAM_ON_NET,
                                                     shortest_edge};
+const lam_measure_kind lam_measure_edge_ratio = {"edge_ratio", "", "longest over shortest edge of a face", LAM_ON_FACES,
+                                                 edge_ratio};

@@ -1,7 +1,7 @@
 /* Every measure of a net, where its value is known by hand, and the names of degenerate states. */
 #include "net_fixture.h"
 
-static const double root2 = 1.41421356237309504880;
+static const double root2 = 1.41421356237309504880, undefined = NAN;
 
 static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *name) {
   lam_net net = net_built(f, mesh);
@@ -19,9 +19,30 @@ static void a_unit_grid(void **state) {
     const char *name;
     double value;
     long count;
-  } rows[] = {{"star_planarity", 0, 6},  {"face_planarity", 0, 12}, {"angle_deviation", 0, 6},
-              {"crossing_angle", 90, 6}, {"turning_angle", 0, 6},  {"edge_length", 1, 31},
-              {"shortest_edge", 1, 1},   {"foldovers", 0, 1},      {"flatness", 0, 1}};
+  } rows[] = {
+      {"star_planarity", 0, 6},
+      {"face_planarity", 0, 12},
+      {"angle_deviation", 0, 6},
+      {"crossing_angle", 90, 6},
+      {"turning_angle", 0, 6},
+      {"edge_length", 1, 31},
+      {"shortest_edge", 1, 1},
+      {"foldovers", 0, 1},
+      {"flatness", 0, 1},
+      {"turning_angle_u", 0, 6},
+      {"turning_angle_v", 0, 6},
+      {"edge_ratio", 1, 12},
+      {"mean_curvature", 0, 6},
+      {"gauss_curvature", 0, 6},
+      {"curvature_ratio", undefined, 0}, /* flat */
+      {"cotangent_mean_curvature", 0, 6},
+      {"gauss_image_area", 0, 1},
+      {"gauss_image_area_signed", 0, 1},
+      {"angle_defect", 0, 6},
+      {"principal_deviation", undefined, 0},
+      {"distance_to_reference", undefined, 0}, /* none is given */
+      {"distance_from_reference", undefined, 0},
+  };
   lam_mesh meshes[2] = {net_grid(f->arena, 4, 5, net_plane), net_grid(f->arena, 4, 5, turned)};
   for (int i = 0; i < 2; i++) {
     lam_net net = net_built(f, &meshes[i]);
@@ -31,10 +52,12 @@ static void a_unit_grid(void **state) {
     assert_int_equal(count, sizeof rows / sizeof *rows); /* every measure has a row here */
     for (int k = 0; k < count; k++) {
       assert_string_equal(all[k].name, rows[k].name);
+      assert_int_equal(all[k].count, rows[k].count);
+      if (rows[k].count == 0) assert_true(isnan(all[k].min) && isnan(all[k].max) && isnan(all[k].mean));
+      if (rows[k].count == 0) continue;
       assert_near(all[k].min, rows[k].value, 1e-13);
       assert_near(all[k].max, rows[k].value, 1e-13);
       assert_near(all[k].mean, rows[k].value, 1e-13);
-      assert_int_equal(all[k].count, rows[k].count);
     }
   }
 }
@@ -52,7 +75,14 @@ static void a_star_out_of_plane(void **state) {
   assert_int_equal(m.count, 1);
   /* opposite neighbors at equal height: each line turns by twice the slope */
   assert_near(measured(f, &mesh, "turning_angle").max, 2 * atan(h) * 180 / net_pi, 1e-12);
-  assert_near(measured(f, &mesh, "crossing_angle").max, 90, 1e-12);
+  assert_near(measured(f, &mesh, "turning_angle_u").max, 2 * atan(h) * 180 / net_pi, 1e-12);
+  assert_near(measured(f, &mesh, "turning_angle_v").max, 2 * atan(h) * 180 / net_pi, 1e-12);
+  mesh.vertices[3].z = mesh.vertices[5].z = 0; /* family 0 runs through 1, 4, 7; family 1 through 3, 4, 5 */
+  mesh.vertices[1].z = mesh.vertices[7].z = 0;
+  mesh.vertices[7].y += h;
+  assert_near(measured(f, &mesh, "turning_angle_u").max, atan(h) * 180 / net_pi, 1e-12);
+  assert_near(measured(f, &mesh, "turning_angle_v").max, 0, 1e-12);
+  assert_near(measured(f, &mesh, "crossing_angle").max, 90 - atan(h) / 2 * 180 / net_pi, 1e-12);
 }
 
 /* A center at height 1 over a ring in the plane: about its plane of best fit z = 1/5, it stands out by 4/5. Any
@@ -167,6 +197,7 @@ static void smallest_and_largest(void **state) {
   assert_near(m.min, 1, 1e-15);
   assert_near(m.max, 2.5, 1e-15);
   assert_near(m.mean, 1.75, 1e-15);
+  assert_near(measured(f, &mesh, "edge_ratio").min, 2.5, 1e-15);
 }
 
 static const char *state_of(net_fixture *f, const lam_mesh *before, lam_vec3 (*move)(lam_vec3 x)) {
