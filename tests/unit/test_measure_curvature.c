@@ -105,7 +105,7 @@ static void a_saddle(void **state) {
  * sphere twice, with opposite signs. */
 static void a_torus(void **state) {
   net_fixture *f = *state;
-  int n = 72, m = 40;
+  int n = 144, m = 48;
   lam_mesh mesh = net_torus(f->arena, n, m, 3, 1);
   lam_net net = net_built(f, &mesh);
   const lam_net_curvature *c = lam_net_curvatures(f->arena, &net, mesh.vertices);
