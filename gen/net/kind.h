@@ -65,6 +65,8 @@ typedef struct lam_net_common {
   int grid[2];
   int hole;
   int subdivide;
+  int levels;
+  bool levels_given;
   int boundary;         /* lam_boundary */
   lam_list handles;     /* of lam_handle */
   lam_list constraints; /* of lam_row of lam_constraints */

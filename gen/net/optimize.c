@@ -1,5 +1,6 @@
 #include "net/optimize.h"
 #include "net/measure.h"
+#include "net/multilevel.h"
 
 #include <math.h>
 #include <string.h>
@@ -120,6 +121,55 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   return solution;
 }
 
+/* Handles on the coarse net: each moves the vertex next to it by its own displacement. */
+static lam_list coarse_handles(const attempt *a, const lam_coarse *coarse) {
+  const lam_list *handles = &a->job->common->handles;
+  lam_handle *out = LAM_NEW(a->arena, lam_handle, handles->count);
+  int count = 0;
+  for (int h = 0; h < handles->count; h++) {
+    lam_handle handle = ((const lam_handle *)handles->items)[h];
+    int v = a->handle_vertices[h], near = coarse->nearest[v];
+    bool taken = a->job->common->boundary == LAM_BOUNDARY_FIXED && coarse->net.boundary[near];
+    for (int k = 0; k < count; k++) taken |= out[k].vertex[0] == near;
+    if (taken) continue;
+    lam_vec3 away = lam_sub(coarse->net.mesh.vertices[near], a->net->mesh.vertices[v]);
+    handle.vertex[0] = near;
+    handle.vertex[1] = -1;
+    handle.to[0] += away.x, handle.to[1] += away.y, handle.to[2] += away.z;
+    out[count++] = handle;
+  }
+  return (lam_list){count, out};
+}
+
+/* Solves a coarser net first, when there is one, and puts its refined solution into x (solver units). */
+static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net_result *result) {
+  const lam_net_common *common = a->job->common;
+  int levels = common->levels_given ? common->levels : a->job->kind->levels;
+  for (int i = 0; i < common->constraints.count; i++) /* a constraint on a vertex by its number is for this net alone */
+    if (((const lam_row *)common->constraints.items)[i].head == &lam_con_handle.head) levels = 0;
+  lam_coarse coarse;
+  if (levels < 1 || !lam_net_coarsen(a->arena, a->net, a->net->mesh.vertices, common->levels_given ? 4 : 64, &coarse))
+    return true;
+  lam_net_common keys = *common;
+  lam_net_job job = *a->job;
+  keys.handles = coarse_handles(a, &coarse);
+  keys.levels = levels - 1;
+  keys.levels_given = common->levels_given;
+  job.common = &keys;
+  lam_net_kind kind = *job.kind;
+  kind.levels = levels - 1;
+  job.kind = &kind;
+  if (!lam_net_optimize(a->arena, &job, &coarse.net, a->errors, result)) return false;
+  lam_vec3 *refined = LAM_NEW(a->arena, lam_vec3, a->net->mesh.vertex_count);
+  lam_coarse_refine(a->arena, &coarse, refined);
+  for (int v = 0; v < a->net->mesh.vertex_count; v++) {
+    bool held = common->boundary == LAM_BOUNDARY_FIXED && a->net->boundary[v];
+    x[v] = held ? start[v] : lam_scale(refined[v], 1 / a->unit);
+  }
+  result->levels++;
+  return true;
+}
+
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result) {
   int n = net->mesh.vertex_count, steps = 1, before = errors->count;
@@ -143,10 +193,15 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     if (handle->steps > steps) steps = handle->steps;
   }
   if (errors->count > before) return false;
-  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n);
+  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n), *begin = LAM_NEW(arena, lam_vec3, n);
+  memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
-  if (job->common->solver.smooth) smooth(&a, start, x);
-  int iterations = 0;
+  if (!begin_coarse(&a, start, x, result)) return false;
+  if (result->levels > 0)
+    steps = 1;
+  else if (job->common->solver.smooth)
+    smooth(&a, start, x);
+  int iterations = result->solution.iterations;
   for (int step = 1; step <= steps; step++) {
     result->solution = solve(&a, x, start, (double)step / steps, &result->skipped);
     iterations += result->solution.iterations;
@@ -156,6 +211,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   result->degenerate = lam_net_degenerate(arena, net, start, x);
   result->converged = result->solution.converged && !result->degenerate;
   result->reason = result->degenerate ? result->degenerate : result->solution.reason;
+  result->drift = 0;
   for (int v = 0; v < n; v++) {
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
@@ -163,6 +219,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
   lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
   if (!isnan(target)) measuring.target_angle = target;
+  measuring.start = begin;
   result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
   return true;
 }
