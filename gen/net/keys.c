@@ -41,6 +41,12 @@ static const lam_key handle_keys[] = {
      .min = 1,
      .max = 1000,
      .doc = "The handle is moved there in this many steps; the net is solved after each."},
+    {.name = "release",
+     .type = LAM_KEY_FLAG,
+     AT(lam_handle, release),
+     .count = 1,
+     .initial = "no",
+     .doc = "The handle lets go at the end, and the net comes to rest where its constraints allow."},
     {0}};
 
 static const lam_key reference_keys[] = {{.name = "file",

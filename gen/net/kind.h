@@ -45,6 +45,7 @@ typedef struct lam_handle {
   int vertex[2];
   double to[3];
   int steps;
+  bool release;
 } lam_handle;
 
 typedef struct lam_reference_keys {

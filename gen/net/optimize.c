@@ -16,6 +16,7 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
+  bool let_go; /* handles with release: yes no longer hold */
 } attempt;
 
 static void prepare_reference(attempt *a) {
@@ -60,12 +61,15 @@ static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scop
 static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *start, double share) {
   const lam_list *handles = &a->job->common->handles;
   lam_vec3 *targets = LAM_NEW(a->arena, lam_vec3, handles->count);
+  int *vertices = LAM_NEW(a->arena, int, handles->count), count = 0;
   for (int h = 0; h < handles->count; h++) {
     const lam_handle *handle = (const lam_handle *)handles->items + h;
+    if (a->let_go && handle->release) continue;
     lam_vec3 to = lam_scale(lam_v3(handle->to[0], handle->to[1], handle->to[2]), 1 / a->unit);
-    targets[h] = lam_mix(start[a->handle_vertices[h]], to, share);
+    vertices[count] = a->handle_vertices[h];
+    targets[count++] = lam_mix(start[a->handle_vertices[h]], to, share);
   }
-  lam_closeness_add(scope, "handle", LAM_HARD, 1, handles->count, a->handle_vertices, targets);
+  lam_closeness_add(scope, "handle", LAM_HARD, 1, count, vertices, targets);
 }
 
 /* Fairness and what fades with it. */
@@ -92,6 +96,17 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_problem_positions(problem, positions);
 }
 
+/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
+ */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
+                                        equations, solution->unknowns);
+}
+
 /* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
  * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
 static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start, double share, long *skipped) {
@@ -114,11 +129,19 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   schedule.max_iterations = common->solver.iterations;
   lam_solution none = {.reason = "not solved"};
   if (a->errors->count) return none;
+  if (a->let_go) schedule.fairness = 0;
   if (schedule.fairness > 0) add_guide(a, &scope);
   lam_solution solution = lam_guided_solve(problem, &schedule, job->progress);
+  if (!solution.converged) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
   return solution;
+}
+
+static bool any_released(const lam_list *handles) {
+  bool any = false;
+  for (int h = 0; h < handles->count; h++) any |= ((const lam_handle *)handles->items)[h].release;
+  return any;
 }
 
 /* Handles on the coarse net: each moves the vertex next to it by its own displacement. */
@@ -202,8 +225,9 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   else if (job->common->solver.smooth)
     smooth(&a, start, x);
   int iterations = result->solution.iterations;
-  for (int step = 1; step <= steps; step++) {
-    result->solution = solve(&a, x, start, (double)step / steps, &result->skipped);
+  for (int step = 1; step <= steps + any_released(handles); step++) {
+    a.let_go = step > steps;
+    result->solution = solve(&a, x, start, fmin(1, (double)step / steps), &result->skipped);
     iterations += result->solution.iterations;
     if (errors->count > before) return false;
   }
