@@ -1,21 +1,20 @@
-/* Coarse nets: every other line left out. Solved first, they carry the shape; a fine net alone zigzags. */
+/* A coarse net, solved first, carries the shape of a fine one; a fine net alone zigzags. */
 #ifndef LAM_NET_MULTILEVEL_H
 #define LAM_NET_MULTILEVEL_H
 
 #include "net/net.h"
 
-typedef struct lam_coarse {
-  lam_net net;  /* vertices at the places of the fine vertices that stay */
-  int *fine;    /* per vertex of lam_net_four_point(net): the vertex of the fine net that it stands for */
-  int *nearest; /* per fine vertex: a coarse vertex that it is, or is next to */
-} lam_coarse;
+typedef struct lam_level {
+  lam_net net;        /* every other line of the fine net, its vertices at their places there */
+  int *fine;          /* per vertex of lam_net_four_point(net): the vertex of the fine net that it stands for */
+  const int *nearest; /* per fine vertex: a coarse vertex that it is, or is next to */
+} lam_level;
 
-/* The net that fine refines by halving every edge, whatever its topology; positions (fine->mesh.vertex_count) are
- * those of the fine vertices. False when there is none (an odd number of cells across, irregular vertices an odd
- * number of edges apart, or fewer than least_faces faces would be left); nothing of coarse is defined then. */
-bool lam_net_coarsen(lam_arena *arena, const lam_net *fine, const lam_vec3 *positions, int least_faces,
-                     lam_coarse *coarse);
-/* Positions of the fine vertices from those of the coarse net, by the interpolating 4-point rule. */
-void lam_coarse_refine(lam_arena *arena, const lam_coarse *coarse, lam_vec3 *positions);
+/* The net that fine refines by halving every edge, whatever its topology. False when there is none (an odd number of
+ * cells across, irregular vertices an odd number of edges apart, fewer than least_faces faces left); level is not
+ * defined then. Owned by arena. */
+bool lam_level_make(lam_arena *arena, const lam_net *fine, int least_faces, lam_level *level);
+/* Positions of the fine vertices from those of the level's net, by the interpolating 4-point rule. */
+void lam_level_refine(lam_arena *arena, const lam_level *level, lam_vec3 *positions);
 
 #endif

@@ -145,7 +145,7 @@ static bool any_released(const lam_list *handles) {
 }
 
 /* Handles on the coarse net: each moves the vertex next to it by its own displacement. */
-static lam_list coarse_handles(const attempt *a, const lam_coarse *coarse) {
+static lam_list coarse_handles(const attempt *a, const lam_level *coarse) {
   const lam_list *handles = &a->job->common->handles;
   lam_handle *out = LAM_NEW(a->arena, lam_handle, handles->count);
   int count = 0;
@@ -170,9 +170,8 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   int levels = common->levels_given ? common->levels : a->job->kind->levels;
   for (int i = 0; i < common->constraints.count; i++) /* a constraint on a vertex by its number is for this net alone */
     if (((const lam_row *)common->constraints.items)[i].head == &lam_con_handle.head) levels = 0;
-  lam_coarse coarse;
-  if (levels < 1 || !lam_net_coarsen(a->arena, a->net, a->net->mesh.vertices, common->levels_given ? 4 : 64, &coarse))
-    return true;
+  lam_level coarse;
+  if (levels < 1 || !lam_level_make(a->arena, a->net, common->levels_given ? 4 : 64, &coarse)) return true;
   lam_net_common keys = *common;
   lam_net_job job = *a->job;
   keys.handles = coarse_handles(a, &coarse);
@@ -184,7 +183,7 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   job.kind = &kind;
   if (!lam_net_optimize(a->arena, &job, &coarse.net, a->errors, result)) return false;
   lam_vec3 *refined = LAM_NEW(a->arena, lam_vec3, a->net->mesh.vertex_count);
-  lam_coarse_refine(a->arena, &coarse, refined);
+  lam_level_refine(a->arena, &coarse, refined);
   for (int v = 0; v < a->net->mesh.vertex_count; v++) {
     bool held = common->boundary == LAM_BOUNDARY_FIXED && a->net->boundary[v];
     x[v] = held ? start[v] : lam_scale(refined[v], 1 / a->unit);
