@@ -15,7 +15,13 @@
   row(proximity) \
   row(glide) \
   row(opposite_edges) \
-  row(spherical_star)
+  row(spherical_star) \
+  row(geodesic_parallel) \
+  row(opposite_angles) \
+  row(equal_angles) \
+  row(equal_edges) \
+  row(jacobi) \
+  row(strip_widths)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_constraint_kind lam_con_##name;
@@ -23,26 +29,5 @@ CONSTRAINTS(DECLARE)
 
 #define POINT(name) &lam_con_##name.head,
 static const lam_row_head *const rows[] = {CONSTRAINTS(POINT)};
-static const lam_row_head *const rows[] = {
-    &lam_con_planar_star.head,
-    &lam_con_planar_face.head,
-    &lam_con_orthogonal.head,
-    &lam_con_angle.head,
-    &lam_con_edge_length.head,
-    &lam_con_boundary_length.head,
-    &lam_con_fairness.head,
-    &lam_con_closeness.head,
-    &lam_con_handle.head,
-    &lam_con_proximity.head,
-    &lam_con_glide.head,
-    &lam_con_opposite_edges.head,
-    &lam_con_spherical_star.head,
-    &lam_con_geodesic_parallel.head,
-    &lam_con_opposite_angles.head,
-    &lam_con_equal_angles.head,
-    &lam_con_equal_edges.head,
-    &lam_con_jacobi.head,
-    &lam_con_strip_widths.head,
-};
 
 const lam_registry lam_constraints = {"constraints", "constraint", rows, sizeof rows / sizeof *rows};

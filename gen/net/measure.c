@@ -34,7 +34,22 @@
   row(angle_defect) \
   row(principal_deviation) \
   row(distance_to_reference) \
-  row(distance_from_reference)
+  row(distance_from_reference) \
+  row(opposite_angle) \
+  row(angle_spread) \
+  row(geodesic_error_u) \
+  row(geodesic_error_v) \
+  row(orthogonality) \
+  row(straightness_u) \
+  row(straightness_v) \
+  row(clairaut_u) \
+  row(clairaut_v) \
+  row(edge_variation_u) \
+  row(edge_variation_v) \
+  row(spacing_u) \
+  row(spacing_v) \
+  row(edge_strain) \
+  row(shear_strain)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_measure_kind lam_measure_##name;
@@ -42,49 +57,6 @@ MEASURES(DECLARE)
 
 #define POINT(name) &lam_measure_##name,
 const lam_measure_kind *const lam_measures[] = {MEASURES(POINT)};
-extern const lam_measure_kind lam_measure_star_planarity, lam_measure_face_planarity, lam_measure_angle_deviation,
-    lam_measure_crossing_angle, lam_measure_turning_angle, lam_measure_edge_length, lam_measure_shortest_edge,
-    lam_measure_foldovers, lam_measure_flatness;
-extern const lam_measure_kind lam_measure_edge_variation, lam_measure_opposite_edge_difference,
-    lam_measure_star_sphericity, lam_measure_star_curvature, lam_measure_curvature_spread,
-    lam_measure_circle_angle_deviation;
-extern const lam_measure_kind lam_measure_opposite_angle, lam_measure_angle_spread, lam_measure_geodesic_error_u,
-    lam_measure_geodesic_error_v, lam_measure_orthogonality, lam_measure_straightness_u, lam_measure_straightness_v,
-    lam_measure_clairaut_u, lam_measure_clairaut_v, lam_measure_edge_variation_u, lam_measure_edge_variation_v,
-    lam_measure_spacing_u, lam_measure_spacing_v, lam_measure_edge_strain, lam_measure_shear_strain;
-
-const lam_measure_kind *const lam_measures[] = {
-    &lam_measure_star_planarity,
-    &lam_measure_face_planarity,
-    &lam_measure_angle_deviation,
-    &lam_measure_crossing_angle,
-    &lam_measure_turning_angle,
-    &lam_measure_edge_length,
-    &lam_measure_shortest_edge,
-    &lam_measure_foldovers,
-    &lam_measure_flatness,
-    &lam_measure_edge_variation,
-    &lam_measure_opposite_edge_difference,
-    &lam_measure_star_sphericity,
-    &lam_measure_star_curvature,
-    &lam_measure_curvature_spread,
-    &lam_measure_circle_angle_deviation,
-    &lam_measure_opposite_angle,
-    &lam_measure_angle_spread,
-    &lam_measure_geodesic_error_u,
-    &lam_measure_geodesic_error_v,
-    &lam_measure_orthogonality,
-    &lam_measure_straightness_u,
-    &lam_measure_straightness_v,
-    &lam_measure_clairaut_u,
-    &lam_measure_clairaut_v,
-    &lam_measure_edge_variation_u,
-    &lam_measure_edge_variation_v,
-    &lam_measure_spacing_u,
-    &lam_measure_spacing_v,
-    &lam_measure_edge_strain,
-    &lam_measure_shear_strain,
-};
 const int lam_measure_count = sizeof lam_measures / sizeof *lam_measures;
 
 const lam_measure_kind *lam_measure_find(const char *name) {

@@ -10,6 +10,11 @@
   row(s_net) \
   row(cmc) \
   row(k_net) \
+  row(geodesic_parallel) \
+  row(geodesic) \
+  row(voss) \
+  row(dog) \
+  row(dig) \
   row(free)
 /* clang-format on */
 
@@ -18,24 +23,5 @@ NETS(DECLARE)
 
 #define POINT(name) &lam_net_##name.head,
 static const lam_row_head *const rows[] = {NETS(POINT)};
-extern const lam_net_kind lam_net_asymptotic, lam_net_planar_quads, lam_net_free;
-extern const lam_net_kind lam_net_chebyshev, lam_net_isogonal, lam_net_s_net, lam_net_cmc, lam_net_k_net;
-extern const lam_net_kind lam_net_geodesic_parallel, lam_net_geodesic, lam_net_voss, lam_net_dog, lam_net_dig;
-
-static const lam_row_head *const rows[] = {
-    &lam_net_asymptotic.head,
-    &lam_net_planar_quads.head,
-    &lam_net_chebyshev.head,
-    &lam_net_isogonal.head,
-    &lam_net_s_net.head,
-    &lam_net_cmc.head,
-    &lam_net_k_net.head,
-    &lam_net_geodesic_parallel.head,
-    &lam_net_geodesic.head,
-    &lam_net_voss.head,
-    &lam_net_dog.head,
-    &lam_net_dig.head,
-    &lam_net_free.head,
-};
 
 const lam_registry lam_nets = {"nets", "net", rows, sizeof rows / sizeof *rows};
