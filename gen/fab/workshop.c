@@ -1,8 +1,8 @@
 #include "fab/workshop.h"
 
-#include <math.h>
 #include "core/mesh.h"
 #include "core/topology.h"
+#include <math.h>
 
 #include <stdarg.h>
 #include <stdio.h>
