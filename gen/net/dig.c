@@ -9,7 +9,7 @@ typedef struct params {
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
   lam_con_opposite_angles.add(scope, NULL, 1, place);
-  lam_con_angle.add(scope, &(lam_angle_params){p->angle, false}, 1, place);
+  lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle}, 1, place);
   if (p->boundary_length) lam_con_boundary_length.add(scope, NULL, 1, place);
 }
 

@@ -8,7 +8,7 @@ typedef struct params {
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
-  lam_con_equal_angles.add(scope, &(lam_star_params){p->border}, 1, place);
+  lam_con_equal_angles.add(scope, &(lam_star_params){.border = p->border}, 1, place);
   if (p->boundary_length) lam_con_boundary_length.add(scope, NULL, 1, place);
 }
 

@@ -33,7 +33,22 @@ static void a_unit_grid(void **state) {
               {"star_sphericity", 0, 6},
               {"star_curvature", 0, 6},
               {"curvature_spread", 0, 1},
-              {"circle_angle_deviation", 0, 6}};
+              {"circle_angle_deviation", 0, 6},
+              {"opposite_angle", 0, 6},
+              {"angle_spread", 0, 6},
+              {"geodesic_error_u", 0, 6},
+              {"geodesic_error_v", 0, 6},
+              {"orthogonality", 0, 6},
+              {"straightness_u", 0, 12},
+              {"straightness_v", 0, 10},
+              {"clairaut_u", 0, 0}, /* no axis */
+              {"clairaut_v", 0, 0},
+              {"edge_variation_u", 0, 15},
+              {"edge_variation_v", 0, 16},
+              {"spacing_u", 0, 20},
+              {"spacing_v", 0, 20},
+              {"edge_strain", 0, 0}, /* no start */
+              {"shear_strain", 0, 0}};
   lam_mesh meshes[2] = {net_grid(f->arena, 4, 5, net_plane), net_grid(f->arena, 4, 5, turned)};
   for (int i = 0; i < 2; i++) {
     lam_net net = net_built(f, &meshes[i]);
