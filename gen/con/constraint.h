@@ -33,6 +33,7 @@ extern const lam_registry lam_constraints;
 extern const lam_constraint_kind lam_con_planar_star, lam_con_planar_face, lam_con_orthogonal, lam_con_angle,
     lam_con_fairness, lam_con_closeness, lam_con_handle, lam_con_proximity, lam_con_edge_length,
     lam_con_boundary_length, lam_con_glide;
+extern const lam_constraint_kind lam_con_circular, lam_con_conical, lam_con_isothermic, lam_con_s_isothermic;
 
 typedef struct lam_star_params {
   bool border;

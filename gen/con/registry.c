@@ -3,6 +3,7 @@
 static const lam_row_head *const rows[] = {
     &lam_con_planar_star.head, &lam_con_planar_face.head,     &lam_con_orthogonal.head, &lam_con_angle.head,
     &lam_con_edge_length.head, &lam_con_boundary_length.head, &lam_con_fairness.head,   &lam_con_closeness.head,
+    &lam_con_circular.head,    &lam_con_conical.head,         &lam_con_isothermic.head, &lam_con_s_isothermic.head,
     &lam_con_handle.head,      &lam_con_proximity.head,       &lam_con_glide.head,
 };
 

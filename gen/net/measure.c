@@ -7,11 +7,15 @@
 extern const lam_measure_kind lam_measure_star_planarity, lam_measure_face_planarity, lam_measure_angle_deviation,
     lam_measure_crossing_angle, lam_measure_turning_angle, lam_measure_edge_length, lam_measure_shortest_edge,
     lam_measure_foldovers, lam_measure_flatness;
+extern const lam_measure_kind lam_measure_circularity, lam_measure_conicality, lam_measure_cross_ratio,
+    lam_measure_incircle_contact;
 
 const lam_measure_kind *const lam_measures[] = {
-    &lam_measure_star_planarity, &lam_measure_face_planarity, &lam_measure_angle_deviation,
-    &lam_measure_crossing_angle, &lam_measure_turning_angle,  &lam_measure_edge_length,
-    &lam_measure_shortest_edge,  &lam_measure_foldovers,      &lam_measure_flatness,
+    &lam_measure_star_planarity,   &lam_measure_face_planarity, &lam_measure_angle_deviation,
+    &lam_measure_crossing_angle,   &lam_measure_turning_angle,  &lam_measure_edge_length,
+    &lam_measure_shortest_edge,    &lam_measure_foldovers,      &lam_measure_flatness,
+    &lam_measure_circularity,      &lam_measure_conicality,     &lam_measure_cross_ratio,
+    &lam_measure_incircle_contact,
 };
 const int lam_measure_count = sizeof lam_measures / sizeof *lam_measures;
 
