@@ -20,13 +20,13 @@ static void check(lam_scope *scope, const params *p, lam_place place) {
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
-  lam_star_params star = {p->border};
+  lam_star_params star = {.border = p->border};
   check(scope, p, place);
   lam_con_planar_star.add(scope, &star, 1, place);
   if (p->orthogonal)
     lam_con_orthogonal.add(scope, &star, 1, place);
   else if (p->angle_given)
-    lam_con_angle.add(scope, &(lam_angle_params){p->angle, p->border}, 1, place);
+    lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .border = p->border}, 1, place);
 }
 
 static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {

@@ -7,11 +7,26 @@
 extern const lam_measure_kind lam_measure_star_planarity, lam_measure_face_planarity, lam_measure_angle_deviation,
     lam_measure_crossing_angle, lam_measure_turning_angle, lam_measure_edge_length, lam_measure_shortest_edge,
     lam_measure_foldovers, lam_measure_flatness;
+extern const lam_measure_kind lam_measure_edge_variation, lam_measure_opposite_edge_difference,
+    lam_measure_star_sphericity, lam_measure_star_curvature, lam_measure_curvature_spread,
+    lam_measure_circle_angle_deviation;
 
 const lam_measure_kind *const lam_measures[] = {
-    &lam_measure_star_planarity, &lam_measure_face_planarity, &lam_measure_angle_deviation,
-    &lam_measure_crossing_angle, &lam_measure_turning_angle,  &lam_measure_edge_length,
-    &lam_measure_shortest_edge,  &lam_measure_foldovers,      &lam_measure_flatness,
+    &lam_measure_star_planarity,
+    &lam_measure_face_planarity,
+    &lam_measure_angle_deviation,
+    &lam_measure_crossing_angle,
+    &lam_measure_turning_angle,
+    &lam_measure_edge_length,
+    &lam_measure_shortest_edge,
+    &lam_measure_foldovers,
+    &lam_measure_flatness,
+    &lam_measure_edge_variation,
+    &lam_measure_opposite_edge_difference,
+    &lam_measure_star_sphericity,
+    &lam_measure_star_curvature,
+    &lam_measure_curvature_spread,
+    &lam_measure_circle_angle_deviation,
 };
 const int lam_measure_count = sizeof lam_measures / sizeof *lam_measures;
 

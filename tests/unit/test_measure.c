@@ -19,9 +19,21 @@ static void a_unit_grid(void **state) {
     const char *name;
     double value;
     long count;
-  } rows[] = {{"star_planarity", 0, 6},  {"face_planarity", 0, 12}, {"angle_deviation", 0, 6},
-              {"crossing_angle", 90, 6}, {"turning_angle", 0, 6},  {"edge_length", 1, 31},
-              {"shortest_edge", 1, 1},   {"foldovers", 0, 1},      {"flatness", 0, 1}};
+  } rows[] = {{"star_planarity", 0, 6},
+              {"face_planarity", 0, 12},
+              {"angle_deviation", 0, 6},
+              {"crossing_angle", 90, 6},
+              {"turning_angle", 0, 6},
+              {"edge_length", 1, 31},
+              {"shortest_edge", 1, 1},
+              {"foldovers", 0, 1},
+              {"flatness", 0, 1},
+              {"edge_variation", 0, 1},
+              {"opposite_edge_difference", 0, 12},
+              {"star_sphericity", 0, 6},
+              {"star_curvature", 0, 6},
+              {"curvature_spread", 0, 1},
+              {"circle_angle_deviation", 0, 6}};
   lam_mesh meshes[2] = {net_grid(f->arena, 4, 5, net_plane), net_grid(f->arena, 4, 5, turned)};
   for (int i = 0; i < 2; i++) {
     lam_net net = net_built(f, &meshes[i]);
