@@ -53,7 +53,11 @@ typedef struct lam_reference_keys {
   double weight;
 } lam_reference_keys;
 
+typedef enum lam_method { LAM_METHOD_LAMELLA, LAM_METHOD_THESIS } lam_method;
+
 typedef struct lam_solver_keys {
+  int method; /* lam_method */
+  double epsilon;
   double fairness, closeness, stiffness, tolerance;
   bool fairness_given, closeness_given, stiffness_given, tolerance_given, fair_given;
   int fair; /* lam_fair */
