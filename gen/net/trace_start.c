@@ -77,7 +77,7 @@ static void no_directions(const lam_line_field *field, const double at[2], lam_p
                   at[0], at[1], c.K, expected);
   else
     lam_error_add(errors, place, "net.from.at",
-                  "(u, v) = (%.4g, %.4g) is an umbilic, where every direction is a principal one; expected another "
+                  "(u, v) = (%.4g, %.4g) is an umbilic or a flat point, where every direction is a principal one; expected another "
                   "point, %s",
                   at[0], at[1], expected);
 }
