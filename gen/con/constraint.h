@@ -33,14 +33,26 @@ extern const lam_registry lam_constraints;
 extern const lam_constraint_kind lam_con_planar_star, lam_con_planar_face, lam_con_orthogonal, lam_con_angle,
     lam_con_fairness, lam_con_closeness, lam_con_handle, lam_con_proximity, lam_con_edge_length,
     lam_con_boundary_length, lam_con_glide;
+extern const lam_constraint_kind lam_con_opposite_edges, lam_con_spherical_star;
 
+/* Tangent of a polyline at a vertex: halfway between its unit edges, or of the circle through the vertex and its two
+ * neighbors (thesis 3.2.3, def. 10). They agree where the two edges are equally long. */
+typedef enum lam_tangents { LAM_TANGENTS_BISECTOR, LAM_TANGENTS_CIRCLE } lam_tangents;
 typedef struct lam_star_params {
   bool border;
+  int tangents; /* lam_tangents; of angles only */
 } lam_star_params;
 typedef struct lam_angle_params {
   double angle;
   bool border;
+  int tangents; /* lam_tangents */
 } lam_angle_params;
+typedef enum lam_spheres { LAM_SPHERES_OWN, LAM_SPHERES_COMMON } lam_spheres;
+typedef struct lam_spherical_star_params {
+  double radius; /* meters, signed: positive when the centers lie on the side of the normal; INFINITY: planes; 0: it
+                    is found */
+  int spheres;   /* lam_spheres, when the radius is found */
+} lam_spherical_star_params;
 extern const lam_key lam_star_keys[]; /* of lam_star_params */
 typedef struct lam_edge_length_params {
   double length; /* meters; 0: every edge keeps its length at the start */

@@ -151,6 +151,11 @@ static void every_jacobian_is_the_derivative(void **state) {
 static void jacobians_with_other_parameters(void **state) {
   net_fixture *f = *state;
   check_kind(f, &lam_con_angle, "{angle: 35 deg}");
+  check_kind(f, &lam_con_angle, "{angle: 70 deg, tangents: circle}");
+  check_kind(f, &lam_con_orthogonal, "{tangents: circle, border: yes}");
+  check_kind(f, &lam_con_spherical_star, "{radius: 3 m}");
+  check_kind(f, &lam_con_spherical_star, "{radius: -20 m}");
+  check_kind(f, &lam_con_spherical_star, "{spheres: common}");
   check_kind(f, &lam_con_edge_length, "{length: 700 mm}");
   check_kind(f, &lam_con_edge_length, "{boundary: yes}");
   check_kind(f, &lam_con_fairness, "{of: displacements}");
@@ -201,6 +206,10 @@ static void elements_are_complete(void **state) {
       {&lam_con_proximity, "{}", 0, 30, 3},
       {&lam_con_glide, "{}", 0, 14, 3},
       {&lam_con_glide, "{}", 2, 12, 3},
+      {&lam_con_opposite_edges, "{}", 0, 20, 12},
+      {&lam_con_spherical_star, "{}", 0, 12, 15},
+      {&lam_con_spherical_star, "{radius: 9 m}", 3, 18, 15},
+      {&lam_con_spherical_star, "{spheres: common}", 0, 12, 16},
       {&lam_con_planar_star, "{}", 3, 26, 15},
       {&lam_con_orthogonal, "{}", 3, 18, 15},
       {&lam_con_planar_face, "{}", 4, 54, 12},
