@@ -15,7 +15,13 @@
   row(proximity) \
   row(glide) \
   row(opposite_edges) \
-  row(spherical_star)
+  row(spherical_star) \
+  row(geodesic_parallel) \
+  row(opposite_angles) \
+  row(equal_angles) \
+  row(equal_edges) \
+  row(jacobi) \
+  row(strip_widths)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_constraint_kind lam_con_##name;

@@ -34,7 +34,22 @@
   row(angle_defect) \
   row(principal_deviation) \
   row(distance_to_reference) \
-  row(distance_from_reference)
+  row(distance_from_reference) \
+  row(opposite_angle) \
+  row(angle_spread) \
+  row(geodesic_error_u) \
+  row(geodesic_error_v) \
+  row(orthogonality) \
+  row(straightness_u) \
+  row(straightness_v) \
+  row(clairaut_u) \
+  row(clairaut_v) \
+  row(edge_variation_u) \
+  row(edge_variation_v) \
+  row(spacing_u) \
+  row(spacing_v) \
+  row(edge_strain) \
+  row(shear_strain)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_measure_kind lam_measure_##name;

@@ -10,6 +10,11 @@
   row(s_net) \
   row(cmc) \
   row(k_net) \
+  row(geodesic_parallel) \
+  row(geodesic) \
+  row(voss) \
+  row(dog) \
+  row(dig) \
   row(free)
 /* clang-format on */
 
