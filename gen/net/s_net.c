@@ -1,3 +1,4 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 typedef struct params {
@@ -14,6 +15,16 @@ static void constrain(lam_scope *scope, const void *given, lam_place place) {
   if (p->planar) lam_con_planar_face.add(scope, NULL, 1, place);
   if (p->angle_given)
     lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .tangents = LAM_TANGENTS_CIRCLE}, 1, place);
+  scope->skipped = skipped; /* the same vertices */
+}
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  (void)place;
+  const params *p = given;
+  lam_thesis_spherical_stars(scope);
+  long skipped = scope->skipped;
+  if (p->planar) lam_thesis_planar_faces(scope);
+  if (p->angle_given) lam_thesis_circle_angle(scope, p->angle);
   scope->skipped = skipped; /* the same vertices */
 }
 
@@ -72,5 +83,6 @@ const lam_net_kind lam_net_s_net = {
     .schedule = {.fairness = .02, .hold = 3, .decay = .473, .floor = 9e-4, .tolerance = 1e-12, .max_iterations = 100},
     .guide = {LAM_FAIR_POSITION, .15, 0},
     .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
     .measures = measures,
     .target_angle = target_angle};
