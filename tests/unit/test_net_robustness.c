@@ -82,7 +82,8 @@ static void coarse_and_fine(void **state) {
     }
 }
 
-/* A tube has all of them but K-nets and planar S-nets, as it has K < 0 nowhere and K > 0 not everywhere. */
+/* The tube with a waist (K < 0) has no planar S-net, and its circles and meridians are far from any K-net; closed
+ * surfaces have neither: K > 0 would need an umbilic-free sphere, K < 0 no closed surface has. */
 static void closed_nets(void **state) {
   net_fixture *f = *state;
   lam_mesh meshes[3] = {net_tube(f->arena, 12, 8), net_torus(f->arena, 12, 9, 3, 1), net_round_cube(f)};
