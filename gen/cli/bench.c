@@ -124,7 +124,7 @@ static bool bench_anet(lam_arena *arena, lam_errors *errors) {
   const lam_net_common *common = design.net.common;
   lam_surface surface = lam_surface_make(arena, &design.surface, errors);
   if (!lam_net_start(arena, &surface, LAM_CHART_ASYMPTOTIC, common->grid, 0, design.surface.common, (lam_place){0},
-                     errors, &mesh) ||
+                     errors, &mesh, NULL) ||
       !lam_net_build(arena, &mesh, (lam_place){0}, errors, &net))
     return false;
   lam_mesh_perturb(&net.mesh, .05 * lam_net_mean_edge(&net, net.mesh.vertices), 1);

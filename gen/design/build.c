@@ -23,8 +23,9 @@ typedef struct pipeline {
   lam_surface surface;
   lam_net *net;
   lam_vec3 *normals;
+  lam_siting placed; /* of the surface */
   int stage_count;
-  lam_stage stages[3]; /* net, sheets; parts bring their own */
+  lam_stage stages[3]; /* surface, net, sheets; parts bring their own */
   double since;
 } pipeline;
 
@@ -71,7 +72,7 @@ static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_co
   const lam_surface_place *placing = design->surface.common;
   static const int coarse[2] = {surface_grid, surface_grid};
   return lam_net_start(p->arena, &p->surface, kind ? kind->chart : LAM_CHART_NATURAL, common ? common->grid : coarse,
-                       common ? common->hole : 0, placing, design->surface.place, p->errors, mesh);
+                       common ? common->hole : 0, placing, design->surface.place, p->errors, mesh, &p->placed);
 }
 
 static bool build_net(pipeline *p, const lam_mesh *mesh, lam_place place) {
@@ -110,6 +111,7 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   lam_stage_note(p->arena, stage, "%d vertices, %d faces, %d unknowns, %d equations", p->net->mesh.vertex_count,
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
+  if (result.levels) lam_stage_note(p->arena, stage, "%d coarser nets solved first", result.levels);
   if (result.skipped) lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
   if (!result.converged && result.solution.worst)
     lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);
@@ -132,7 +134,7 @@ static bool make_net(pipeline *p) {
     if (!solve_net(p, kind, common)) return false;
     const lam_surface_place *placing = design->surface.head ? design->surface.common : NULL;
     bool held = common->handles.count > 0 || common->boundary != LAM_BOUNDARY_FREE || common->reference_given;
-    if (placing && placing->ground && !held) lam_mesh_ground(&p->net->mesh);
+    if (placing && placing->ground && !held) p->placed.lift += lam_mesh_ground(&p->net->mesh);
   }
   p->normals = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
   lam_net_normals(p->net, p->net->mesh.vertices, p->normals);
@@ -140,6 +142,31 @@ static bool make_net(pipeline *p) {
   p->model->polyline_count = p->net->polyline_count;
   p->model->polylines = p->net->polylines;
   return true;
+}
+
+/* ---- the surface ---- */
+
+static void report_surface(pipeline *p) {
+  const lam_surface_kind *kind = p->surface.kind;
+  if (!kind || !kind->report) return;
+  lam_stage *stage = begin_stage(p, lam_arena_printf(p->arena, "surface: %s", kind->head.name));
+  kind->report(p->arena, p->surface.data, stage);
+}
+
+/* The surface for writers, where the net is. */
+static void keep_spline(pipeline *p) {
+  const lam_surface_kind *kind = p->surface.kind;
+  const lam_spline_surface *from = kind && kind->spline ? kind->spline(p->surface.data) : NULL;
+  if (!from || !p->net) return;
+  lam_spline_surface *to = LAM_NEW(p->arena, lam_spline_surface, 1);
+  *to = *from;
+  int count = to->count[0] * to->count[1];
+  lam_vec3 *points = LAM_NEW(p->arena, lam_vec3, count);
+  for (int i = 0; i < count; i++) points[i] = lam_siting_apply(&p->placed, from->points[i]);
+  to->points = points;
+  to->name = "surface";
+  p->model->surface_count = 1;
+  p->model->surfaces = to;
 }
 
 /* ---- where it stands ---- */
@@ -207,7 +234,7 @@ static void collect_report(pipeline *p, const lam_workshop *workshop) {
   lam_report *report = LAM_NEW(p->arena, lam_report, 1);
   report->stages = LAM_NEW(p->arena, lam_stage, p->stage_count + workshop->stage_count);
   int own = 0;
-  if (own < p->stage_count && strcmp(p->stages[own].name, "sheets") != 0)
+  while (own < p->stage_count && strcmp(p->stages[own].name, "sheets") != 0)
     report->stages[report->stage_count++] = p->stages[own++];
   for (int i = 0; i < workshop->stage_count; i++) report->stages[report->stage_count++] = workshop->stages[i];
   while (own < p->stage_count) report->stages[report->stage_count++] = p->stages[own++];
@@ -227,7 +254,10 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   pipeline p = {
       .arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
   if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
-  if (errors->count > before || !make_net(&p)) return false;
+  if (errors->count > before) return false;
+  report_surface(&p);
+  if (!make_net(&p)) return false;
+  keep_spline(&p);
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};

@@ -13,7 +13,7 @@ static const double right_angle = 3.14159265358979323846 / 2;
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
-  lam_star_params star = {p->border};
+  lam_star_params star = {.border = p->border};
   lam_con_planar_star.add(scope, &star, 1, place);
   if (p->orthogonal && p->angle_given && fabs(p->angle - right_angle) > 1e-12)
     lam_error_add(scope->errors, place, "net.angle", "%g deg together with orthogonal: yes; expected one of the two",
@@ -21,7 +21,7 @@ static void constrain(lam_scope *scope, const void *given, lam_place place) {
   if (p->orthogonal)
     lam_con_orthogonal.add(scope, &star, 1, place);
   else if (p->angle_given)
-    lam_con_angle.add(scope, &(lam_angle_params){p->angle, p->border}, 1, place);
+    lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .border = p->border}, 1, place);
 }
 
 static double target_angle(const void *given) {

@@ -99,8 +99,15 @@ static lam_vec3 turned(lam_vec3 v, const double angle[3]) {
   return lam_v3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
 }
 
+lam_vec3 lam_siting_apply(const lam_siting *placement, lam_vec3 x) {
+  x = lam_scale(turned(x, placement->rotate), placement->scale);
+  x.z += placement->lift;
+  return x;
+}
+
 bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,
-                   const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh) {
+                   const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh,
+                   lam_siting *placed) {
   double p[2], q[2];
   bool closed[2];
   if (!surface->kind->domain(surface->data, chart, p, q, closed)) {
@@ -128,17 +135,21 @@ bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart
   lam_vec3 low, high;
   lam_points_bounds(mesh->vertices, mesh->vertex_count, &low, &high);
   double extent = fmax(high.x - low.x, high.y - low.y);
-  if (placing->size_given && extent > 0)
-    for (int v = 0; v < mesh->vertex_count; v++)
-      mesh->vertices[v] = lam_scale(mesh->vertices[v], placing->size / extent);
-  if (placing->ground) lam_mesh_ground(mesh);
+  lam_siting done = {{placing->rotate[0], placing->rotate[1], placing->rotate[2]}, 1, 0};
+  if (placing->size_given && extent > 0) {
+    done.scale = placing->size / extent;
+    for (int v = 0; v < mesh->vertex_count; v++) mesh->vertices[v] = lam_scale(mesh->vertices[v], done.scale);
+  }
+  if (placing->ground) done.lift = lam_mesh_ground(mesh);
+  if (placed) *placed = done;
   return true;
 }
 
-void lam_mesh_ground(lam_mesh *mesh) {
+double lam_mesh_ground(lam_mesh *mesh) {
   double lowest = INFINITY;
   for (int v = 0; v < mesh->vertex_count; v++) lowest = fmin(lowest, mesh->vertices[v].z);
   for (int v = 0; v < mesh->vertex_count; v++) mesh->vertices[v].z -= lowest;
+  return -lowest;
 }
 
 /* SplitMix64: a counter through a mixing function; the same on every machine. */

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "core/key.h"
-#include "core/vec3.h"
+#include "core/model.h"
 
 /* A point with derivatives up to the second. */
 typedef struct lam_jet {
@@ -44,6 +44,11 @@ typedef struct lam_surface_kind {
   /* The number of sectors around the chart's origin when the chart is branched there (6 for a monkey saddle); 0 or a
    * NULL function: not branched. */
   int (*sectors)(const void *data, lam_chart chart);
+  /* The surface as a spline, before it is placed; NULL: it is none. */
+  const lam_spline_surface *(*spline)(const void *data);
+  /* How it was computed and what was measured of it, for the report (name is set); NULL: nothing to tell. Measures must
+   * not come from the quadrature that was minimized with. */
+  void (*report)(lam_arena *arena, const void *data, lam_stage *stage);
 } lam_surface_kind;
 
 struct lam_surface {
