@@ -46,13 +46,16 @@ static int read_arguments(int argc, char **argv, arguments *out) {
   return out->path ? -1 : lam_complain_plain(2, "measure: expected a mesh file\n%s", usage);
 }
 
+/* null: undefined, or not a number. */
+static json_t *number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
+
 static void print_json(const char *path, const lam_net *net, const lam_measure *measures, int count) {
   json_t *list = json_object();
   for (int i = 0; i < count; i++) {
     const lam_measure *m = &measures[i];
     json_object_set_new(list, m->name,
-                        json_pack("{s:f, s:f, s:s, s:I}", "max", isfinite(m->max) ? m->max : 0, "mean",
-                                  isfinite(m->mean) ? m->mean : 0, "unit", m->unit, "count", (json_int_t)m->count));
+                        json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean", number(m->mean), "max",
+                                  number(m->max), "unit", m->unit, "count", (json_int_t)m->count));
   }
   json_t *root = json_pack("{s:s, s:i, s:i, s:i, s:o}", "mesh", path, "vertices", net->mesh.vertex_count, "faces",
                            net->mesh.face_count, "irregular_vertices", net->irregular_count, "measures", list);

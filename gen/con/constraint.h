@@ -34,6 +34,8 @@ extern const lam_constraint_kind lam_con_planar_star, lam_con_planar_face, lam_c
     lam_con_fairness, lam_con_closeness, lam_con_handle, lam_con_proximity, lam_con_edge_length,
     lam_con_boundary_length, lam_con_glide;
 extern const lam_constraint_kind lam_con_opposite_edges, lam_con_spherical_star;
+extern const lam_constraint_kind lam_con_geodesic_parallel, lam_con_opposite_angles, lam_con_equal_angles,
+    lam_con_equal_edges, lam_con_jacobi, lam_con_strip_widths;
 
 /* Tangent of a polyline at a vertex: halfway between its unit edges, or of the circle through the vertex and its two
  * neighbors (thesis 3.2.3, def. 10). They agree where the two edges are equally long. */
@@ -58,6 +60,23 @@ typedef struct lam_edge_length_params {
   double length; /* meters; 0: every edge keeps its length at the start */
   bool boundary_only;
 } lam_edge_length_params;
+typedef struct lam_family_params {
+  int family;
+} lam_family_params;
+typedef struct lam_geodesic_params {
+  int family; /* of the geodesics */
+  bool border;
+} lam_geodesic_params;
+typedef enum lam_lines { LAM_LINES_ALL, LAM_LINES_MIDDLE } lam_lines;
+typedef struct lam_equal_edges_params {
+  int family;
+  int lines; /* lam_lines */
+} lam_equal_edges_params;
+typedef enum lam_widths { LAM_WIDTHS_EQUAL, LAM_WIDTHS_PROPORTIONAL, LAM_WIDTHS_CONSTANT } lam_widths;
+typedef struct lam_strip_params {
+  int family; /* of the lines along the strips */
+  int widths; /* lam_widths */
+} lam_strip_params;
 typedef enum lam_fair { LAM_FAIR_POSITION, LAM_FAIR_DISPLACEMENT } lam_fair;
 extern const char *const lam_fairness_choices[]; /* names of lam_fair, NULL-terminated */
 typedef struct lam_fairness_params {

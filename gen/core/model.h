@@ -164,9 +164,10 @@ typedef struct lam_sheet {
 } lam_sheet;
 
 /* ---- report ---- */
+/* What was measured on a number of elements. NaN: undefined, or not known (min of a stage that keeps none). */
 typedef struct lam_measure {
   const char *name, *unit;
-  double max, mean;
+  double min, max, mean;
   long count; /* elements measured */
 } lam_measure;
 

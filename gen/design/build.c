@@ -104,6 +104,7 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   lam_stage_note(p->arena, stage, "%d vertices, %d faces, %d unknowns, %d equations", p->net->mesh.vertex_count,
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
+  if (result.levels) lam_stage_note(p->arena, stage, "%d coarser nets solved first", result.levels);
   if (result.skipped) lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
   if (!result.converged && result.solution.worst)
     lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);

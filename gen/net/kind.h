@@ -45,6 +45,7 @@ typedef struct lam_handle {
   int vertex[2];
   double to[3];
   int steps;
+  bool release;
 } lam_handle;
 
 typedef struct lam_reference_keys {
@@ -69,6 +70,8 @@ typedef struct lam_net_common {
   int grid[2];
   int hole;
   int subdivide;
+  int levels;
+  bool levels_given;
   int boundary;         /* lam_boundary */
   lam_list handles;     /* of lam_handle */
   lam_list constraints; /* of lam_row of lam_constraints */

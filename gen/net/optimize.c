@@ -1,5 +1,6 @@
 #include "net/optimize.h"
 #include "net/measure.h"
+#include "net/multilevel.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,6 +16,7 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
+  bool let_go; /* handles with release: yes no longer hold */
 } attempt;
 
 static void prepare_reference(attempt *a) {
@@ -59,12 +61,15 @@ static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scop
 static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *start, double share) {
   const lam_list *handles = &a->job->common->handles;
   lam_vec3 *targets = LAM_NEW(a->arena, lam_vec3, handles->count);
+  int *vertices = LAM_NEW(a->arena, int, handles->count), count = 0;
   for (int h = 0; h < handles->count; h++) {
     const lam_handle *handle = (const lam_handle *)handles->items + h;
+    if (a->let_go && handle->release) continue;
     lam_vec3 to = lam_scale(lam_v3(handle->to[0], handle->to[1], handle->to[2]), 1 / a->unit);
-    targets[h] = lam_mix(start[a->handle_vertices[h]], to, share);
+    vertices[count] = a->handle_vertices[h];
+    targets[count++] = lam_mix(start[a->handle_vertices[h]], to, share);
   }
-  lam_closeness_add(scope, "handle", LAM_HARD, 1, handles->count, a->handle_vertices, targets);
+  lam_closeness_add(scope, "handle", LAM_HARD, 1, count, vertices, targets);
 }
 
 /* Fairness and what fades with it. */
@@ -111,6 +116,17 @@ static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
 /* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
 static const double thesis_fairness = .01;
 
+/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
+ */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
+                                        equations, solution->unknowns);
+}
+
 /* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
  * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
 static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start, double share, long *skipped) {
@@ -136,12 +152,68 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   schedule.max_iterations = common->solver.iterations;
   lam_solution none = {.reason = "not solved"};
   if (a->errors->count) return none;
+  if (a->let_go) schedule.fairness = 0;
   if (schedule.fairness > 0) add_guide(a, &scope);
   lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, job->progress)
                                  : lam_guided_solve(problem, &schedule, job->progress);
+  if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
   return solution;
+}
+
+static bool any_released(const lam_list *handles) {
+  bool any = false;
+  for (int h = 0; h < handles->count; h++) any |= ((const lam_handle *)handles->items)[h].release;
+  return any;
+}
+
+/* Handles on the coarse net: each moves the vertex next to it by its own displacement. */
+static lam_list coarse_handles(const attempt *a, const lam_level *coarse) {
+  const lam_list *handles = &a->job->common->handles;
+  lam_handle *out = LAM_NEW(a->arena, lam_handle, handles->count);
+  int count = 0;
+  for (int h = 0; h < handles->count; h++) {
+    lam_handle handle = ((const lam_handle *)handles->items)[h];
+    int v = a->handle_vertices[h], near = coarse->nearest[v];
+    bool taken = a->job->common->boundary == LAM_BOUNDARY_FIXED && coarse->net.boundary[near];
+    for (int k = 0; k < count; k++) taken |= out[k].vertex[0] == near;
+    if (taken) continue;
+    lam_vec3 away = lam_sub(coarse->net.mesh.vertices[near], a->net->mesh.vertices[v]);
+    handle.vertex[0] = near;
+    handle.vertex[1] = -1;
+    handle.to[0] += away.x, handle.to[1] += away.y, handle.to[2] += away.z;
+    out[count++] = handle;
+  }
+  return (lam_list){count, out};
+}
+
+/* Solves a coarser net first, when there is one, and puts its refined solution into x (solver units). */
+static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net_result *result) {
+  const lam_net_common *common = a->job->common;
+  int levels = common->levels_given ? common->levels : a->job->kind->levels;
+  for (int i = 0; i < common->constraints.count; i++) /* a constraint on a vertex by its number is for this net alone */
+    if (((const lam_row *)common->constraints.items)[i].head == &lam_con_handle.head) levels = 0;
+  lam_level coarse;
+  if (levels < 1 || !lam_level_make(a->arena, a->net, common->levels_given ? 4 : 64, &coarse)) return true;
+  lam_net_common keys = *common;
+  lam_net_job job = *a->job;
+  keys.handles = coarse_handles(a, &coarse);
+  keys.levels = levels - 1;
+  keys.levels_given = common->levels_given;
+  job.common = &keys;
+  lam_net_kind kind = *job.kind;
+  kind.levels = levels - 1;
+  job.kind = &kind;
+  if (!lam_net_optimize(a->arena, &job, &coarse.net, a->errors, result)) return false;
+  lam_vec3 *refined = LAM_NEW(a->arena, lam_vec3, a->net->mesh.vertex_count);
+  lam_level_refine(a->arena, &coarse, refined);
+  for (int v = 0; v < a->net->mesh.vertex_count; v++) {
+    bool held = common->boundary == LAM_BOUNDARY_FIXED && a->net->boundary[v];
+    x[v] = held ? start[v] : lam_scale(refined[v], 1 / a->unit);
+  }
+  result->levels++;
+  return true;
 }
 
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
@@ -167,12 +239,18 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     if (handle->steps > steps) steps = handle->steps;
   }
   if (errors->count > before) return false;
-  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n);
+  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n), *begin = LAM_NEW(arena, lam_vec3, n);
+  memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
-  if (job->common->solver.smooth) smooth(&a, start, x);
-  int iterations = 0;
-  for (int step = 1; step <= steps; step++) {
-    result->solution = solve(&a, x, start, (double)step / steps, &result->skipped);
+  if (!begin_coarse(&a, start, x, result)) return false;
+  if (result->levels > 0)
+    steps = 1;
+  else if (job->common->solver.smooth)
+    smooth(&a, start, x);
+  int iterations = result->solution.iterations;
+  for (int step = 1; step <= steps + any_released(handles); step++) {
+    a.let_go = step > steps;
+    result->solution = solve(&a, x, start, fmin(1, (double)step / steps), &result->skipped);
     iterations += result->solution.iterations;
     if (errors->count > before) return false;
   }
@@ -180,6 +258,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   result->degenerate = lam_net_degenerate(arena, net, start, x);
   result->converged = result->solution.converged && !result->degenerate;
   result->reason = result->degenerate ? result->degenerate : result->solution.reason;
+  result->drift = 0;
   for (int v = 0; v < n; v++) {
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
@@ -187,6 +266,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
   lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
   if (!isnan(target)) measuring.target_angle = target;
+  measuring.start = begin;
   result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
   return true;
 }

@@ -14,7 +14,8 @@ typedef struct lam_net_job {
 } lam_net_job;
 
 typedef struct lam_net_result {
-  lam_solution solution;
+  lam_solution solution;  /* its iterations are those of all levels and steps together */
+  int levels;             /* coarser nets that were solved first */
   const char *degenerate; /* NULL: none */
   bool converged;         /* solved and not degenerate */
   const char *reason;

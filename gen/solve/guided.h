@@ -19,7 +19,7 @@ typedef struct lam_schedule {
 
 typedef struct lam_solution {
   bool converged;
-  const char *reason; /* static text */
+  const char *reason;
   int iterations;     /* accepted steps */
   int factorizations;
   double residual, rms; /* hard, at the end */
