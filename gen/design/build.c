@@ -3,6 +3,7 @@
 #include "fab/lamella_checks.h"
 #include "fab/sheet.h"
 #include "fab/workshop.h"
+#include "net/map.h"
 #include "net/optimize.h"
 #include "net/start.h"
 #include "surf/place.h"
@@ -22,6 +23,7 @@ typedef struct pipeline {
   lam_model *model;
   lam_surface surface;
   lam_net *net;
+  lam_measuring measuring; /* of the net */
   lam_vec3 *normals;
   int stage_count;
   lam_stage stages[3]; /* net, sheets; parts bring their own */
@@ -84,12 +86,12 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   const lam_design *design = p->design;
   lam_stage *stage = begin_stage(p, "net");
   lam_net_job job = {kind, design->net.params, common, NULL, design->net.place, p->progress};
-  lam_trimesh reference;
   if (common->reference_given && common->reference.file) {
+    lam_trimesh *reference = LAM_NEW(p->arena, lam_trimesh, 1);
     if (!p->loader || !p->loader->triangles(p->loader->context, p->arena, common->reference.file, design->net.place,
-                                            p->errors, &reference))
+                                            p->errors, reference))
       return false;
-    job.reference = &reference;
+    job.reference = reference;
   }
   lam_net_result result;
   if (!lam_net_optimize(p->arena, &job, p->net, p->errors, &result)) return false;
@@ -100,6 +102,7 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   stage->residual = result.solution.residual;
   stage->measure_count = result.measure_count;
   stage->measures = result.measures;
+  p->measuring = result.measuring;
   lam_stage_note(p->arena, stage, "%d vertices, %d faces, %d unknowns, %d equations", p->net->mesh.vertex_count,
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
@@ -132,6 +135,25 @@ static bool make_net(pipeline *p) {
   p->model->net = &p->net->mesh;
   p->model->polyline_count = p->net->polyline_count;
   p->model->polylines = p->net->polylines;
+  return true;
+}
+
+/* ---- color maps ---- */
+
+static bool make_maps(pipeline *p) {
+  const lam_list *plots = &p->design->plots;
+  int before = p->errors->count;
+  lam_place place = {.file = p->design->path};
+  lam_measures_check(plots, true, place, "plots", p->errors);
+  if (plots->count && !p->net)
+    lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
+  if (p->errors->count > before) return false;
+  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
+  if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
+  for (int i = 0; i < plots->count; i++)
+    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
+  p->model->map_count = plots->count;
+  p->model->maps = maps;
   return true;
 }
 
@@ -220,7 +242,7 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   pipeline p = {
       .arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
   if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
-  if (errors->count > before || !make_net(&p)) return false;
+  if (errors->count > before || !make_net(&p) || !make_maps(&p)) return false;
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
