@@ -91,12 +91,11 @@ $(out)/tests/%: tests/%.c $(out)/liblamella.a
 -include $(lib_obj:.o=.d) $(cli_obj:.o=.d) $(tests:=.d)
 
 # ---- models: one folder per design; a design's rule lists the templates and meshes it used ----
-all_but_png := report,obj,stl,scad,dxf,svg,gltf,bom,nodes,assembly,pov,surface,step,iges
 models: $(designs:%=build/models/%/report.json)
 build/models/%/report.json: templates/designs/%.yaml build/lamella
 	@echo "  make $*"
 	@rm -rf $(@D) && mkdir -p $(@D)
-	@build/lamella build $< -o $(@D) --deps build/models/$*.d --only $(all_but_png) >build/models/$*.txt || { cat build/models/$*.txt; exit 1; }
+	@build/lamella build $< -o $(@D) --deps build/models/$*.d --skip png >build/models/$*.txt || { cat build/models/$*.txt; exit 1; }
 -include $(designs:%=build/models/%.d)
 
 demo: setup-demo
