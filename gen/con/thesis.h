@@ -17,9 +17,9 @@ void lam_thesis_planar_faces(lam_scope *scope);
  * at every regular star; with border, at reentrant corners too. angle: radians. */
 void lam_thesis_angle(lam_scope *scope, double angle, bool border);
 
-/* Thesis 3.7.2: <e_u, e_v> = <e_u, e_-v> for both u-edges of every regular star, and for the u-edge of border vertices
- * at the ends of the u-lines. family: the one that holds the geodesics (u). */
-void lam_thesis_geodesic_parallel(lam_scope *scope, int family);
+/* Thesis 3.7.2: <e_u, e_v> = <e_u, e_-v> for both u-edges of every regular star; with border, for the u-edge of border
+ * vertices at the ends of the u-lines too. family: the one that holds the geodesics (u). */
+void lam_thesis_geodesic_parallel(lam_scope *scope, int family, bool border);
 
 /* Thesis eq. 3.3: every regular star on a sphere or plane of its own, w_k = v_k^2, a w_k + b . v_k + e = 0,
  * b^2 - 4 a e = 1. */

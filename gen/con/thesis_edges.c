@@ -72,10 +72,10 @@ static void geodesic_parallel(int n, const double *x, const double *p, double *r
   }
 }
 
-void lam_thesis_geodesic_parallel(lam_scope *scope, int family) {
+void lam_thesis_geodesic_parallel(lam_scope *scope, int family, bool border) {
   lam_half_edges edges = lam_half_edges_add(scope);
   const int *star, *half;
-  int stars = lam_scope_stars(scope, false, &star), halves = lam_scope_half_stars(scope, &half), count = 0;
+  int stars = lam_scope_stars(scope, false, &star), halves = border ? lam_scope_half_stars(scope, &half) : 0, count = 0;
   int *nodes = LAM_NEW(scope->problem->arena, int, 3 * (2 * stars + halves));
   for (int s = 0; s < stars; s++, star += 5)
     for (int side = 0; side < 2; side++, count++) {

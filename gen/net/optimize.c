@@ -97,17 +97,6 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_problem_positions(problem, positions);
 }
 
-/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
- */
-static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
-  int equations = 0;
-  for (int b = 0; b < problem->block_count; b++)
-    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
-  if (equations > solution->unknowns)
-    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
-                                        equations, solution->unknowns);
-}
-
 /* The net's own constraints where the vertices are now, in the form of the thesis. */
 static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
   const lam_net_job *job = a->job;
@@ -126,6 +115,17 @@ static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
 
 /* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
 static const double thesis_fairness = .01;
+
+/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
+ */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
+                                        equations, solution->unknowns);
+}
 
 /* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
  * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
@@ -156,7 +156,7 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   if (schedule.fairness > 0) add_guide(a, &scope);
   lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, job->progress)
                                  : lam_guided_solve(problem, &schedule, job->progress);
-  if (!solution.converged) explain(a->arena, problem, &solution);
+  if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
   return solution;
@@ -216,6 +216,47 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   return true;
 }
 
+static bool listed(const char *const *names, int count, const char *name) {
+  for (int i = 0; i < count; i++)
+    if (strcmp(names[i], name) == 0) return true;
+  return false;
+}
+
+/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
+static const char *const *measure_names(const attempt *a) {
+  static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
+  const lam_list *more = &a->job->common->measures;
+  const char *const *own = a->job->kind->measures;
+  int count = 0;
+  while (own[count]) count++;
+  const char **names = LAM_NEW(a->arena, const char *, count + more->count + 3);
+  for (int i = 0; i < count; i++) names[i] = own[i];
+  for (int i = 0; a->job->reference && i < 2; i++)
+    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
+  for (int i = 0; i < more->count; i++) {
+    const char *name = ((const char *const *)more->items)[i];
+    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
+  }
+  return names;
+}
+
+/* In meters: the reference gets a tree of its own. */
+static void measure(const attempt *a, const lam_vec3 *start, lam_net_result *result) {
+  const lam_net_job *job = a->job;
+  lam_measuring *in = &result->measuring;
+  *in = lam_measuring_of(a->arena, a->net, a->net->mesh.vertices);
+  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
+  if (!isnan(target)) in->target_angle = target;
+  in->start = start;
+  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
+  if (tree) {
+    lam_arena_defer(a->arena, lam_tree_free, tree);
+    in->reference = tree;
+    in->reference_mesh = job->reference;
+  }
+  result->measures = lam_net_measure(in, measure_names(a), &result->measure_count);
+}
+
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result) {
   int n = net->mesh.vertex_count, steps = 1, before = errors->count;
@@ -263,10 +304,6 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
-  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
-  if (!isnan(target)) measuring.target_angle = target;
-  measuring.start = begin;
-  result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
+  measure(&a, begin, result);
   return true;
 }

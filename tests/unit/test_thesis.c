@@ -18,8 +18,8 @@ typedef struct form {
 static void add_stars(lam_scope *s) { lam_thesis_planar_stars(s, true); }
 static void add_faces(lam_scope *s) { lam_thesis_planar_faces(s); }
 static void add_angle(lam_scope *s) { lam_thesis_angle(s, 1.1, true); }
-static void add_parallel(lam_scope *s) { lam_thesis_geodesic_parallel(s, 0); }
-static void add_across(lam_scope *s) { lam_thesis_geodesic_parallel(s, 1); }
+static void add_parallel(lam_scope *s) { lam_thesis_geodesic_parallel(s, 0, true); }
+static void add_across(lam_scope *s) { lam_thesis_geodesic_parallel(s, 1, true); }
 static void add_spheres(lam_scope *s) { lam_thesis_spherical_stars(s); }
 static void add_circle_angle(lam_scope *s) { lam_thesis_circle_angle(s, .9); }
 static void add_radius(lam_scope *s) { lam_thesis_equal_spheres(s, 4, 1.2); }
