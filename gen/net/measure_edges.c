@@ -37,6 +37,18 @@ static void opposite_edge_difference(const lam_measuring *in, double *values) {
   }
 }
 
+static void edge_ratio(const lam_measuring *in, double *values) {
+  for (int f = 0; f < in->net->mesh.face_count; f++) {
+    const int *c = in->net->mesh.faces[f];
+    double low = INFINITY, high = 0;
+    for (int k = 0; k < 4; k++) {
+      double length = lam_distance(in->positions[c[k]], in->positions[c[(k + 1) % 4]]);
+      low = fmin(low, length), high = fmax(high, length);
+    }
+    values[f] = high / low;
+  }
+}
+
 const lam_measure_kind lam_measure_edge_length = {"edge_length", "m", "length of the edges", LAM_ON_EDGES, edge_length};
 const lam_measure_kind lam_measure_shortest_edge = {"shortest_edge", "", "shortest edge over the mean edge", LAM_ON_NET,
                                                     shortest_edge};
@@ -45,3 +57,5 @@ const lam_measure_kind lam_measure_edge_variation = {
 const lam_measure_kind lam_measure_opposite_edge_difference = {
     "opposite_edge_difference", "", "larger difference of a face's opposite edges over the mean of its edges",
     LAM_ON_FACES, opposite_edge_difference};
+const lam_measure_kind lam_measure_edge_ratio = {"edge_ratio", "", "longest over shortest edge of a face", LAM_ON_FACES,
+                                                 edge_ratio};
