@@ -16,6 +16,7 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
+  int levels;  /* coarser nets that were solved before */
   bool let_go; /* handles with release: yes no longer hold */
 } attempt;
 
@@ -80,6 +81,8 @@ static void add_guide(const attempt *a, lam_scope *scope) {
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
   if (keys->stiffness_given) guide.stiffness = keys->stiffness;
+  /* a fine net that starts from a solved coarse one needs less: closeness to it would keep its creases */
+  guide.closeness *= pow(.5, a->levels);
   lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->place);
   if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->place);
   if (guide.stiffness > 0)
@@ -284,7 +287,8 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
   if (!begin_coarse(&a, start, x, result)) return false;
-  if (result->levels > 0)
+  a.levels = result->levels;
+  if (a.levels > 0)
     steps = 1;
   else if (job->common->solver.smooth)
     smooth(&a, start, x);
