@@ -1,14 +1,6 @@
 /* The list of nets. To add one: write its file, and add its line here. */
 #include "net/kind.h"
 
-extern const lam_net_kind lam_net_asymptotic, lam_net_planar_quads, lam_net_free;
-extern const lam_net_kind lam_net_circular, lam_net_conical, lam_net_isothermic, lam_net_s_isothermic,
-    lam_net_isogonal_molding;
-
-static const lam_row_head *const rows[] = {
-    &lam_net_asymptotic.head, &lam_net_planar_quads.head, &lam_net_circular.head,         &lam_net_conical.head,
-    &lam_net_isothermic.head, &lam_net_s_isothermic.head, &lam_net_isogonal_molding.head, &lam_net_free.head,
-};
 /* clang-format off */
 #define NETS(row) \
   row(asymptotic) \
@@ -27,6 +19,7 @@ static const lam_row_head *const rows[] = {
   row(conical) \
   row(isothermic) \
   row(s_isothermic) \
+  row(isogonal_molding) \
   row(free)
 /* clang-format on */
 
