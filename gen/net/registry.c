@@ -20,11 +20,6 @@
   row(voss) \
   row(dog) \
   row(dig) \
-  row(circular) \
-  row(conical) \
-  row(isothermic) \
-  row(s_isothermic) \
-  row(isogonal_molding) \
   row(free)
 /* clang-format on */
 
