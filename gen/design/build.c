@@ -5,6 +5,7 @@
 #include "fab/workshop.h"
 #include "net/optimize.h"
 #include "net/start.h"
+#include "net/trace.h"
 #include "surf/place.h"
 
 #include <math.h>
@@ -55,6 +56,30 @@ static bool load_mesh(pipeline *p, const lam_net_common *common, lam_mesh *mesh)
   return false;
 }
 
+/* The lines of the surface that the net asks for, by formula or traced. */
+static bool start_net(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
+  const lam_net_source *from = &common->from;
+  const lam_surface_place *placing = p->design->surface.common;
+  lam_place place = p->design->surface.place;
+  lam_chart chart = from->lines ? (lam_chart)(from->lines - 1) : kind->chart;
+  double ranges[2][2];
+  bool closed[2], formula = chart < LAM_CHART_COUNT &&
+                            p->surface.kind->domain(p->surface.data, chart, ranges[0], ranges[1], closed);
+  if (formula && !from->trace) {
+    if (!from->at_given && from->spacing == 0)
+      return lam_net_start(p->arena, &p->surface, chart, common->grid, common->hole, placing, place, p->errors, mesh,
+                           &p->placed);
+    lam_error_add(p->errors, p->design->net.place, from->at_given ? "net.from.at" : "net.from.spacing",
+                  "given, but %s has a formula for its %s lines; expected trace: yes beside it, or u and v of the "
+                  "surface instead",
+                  p->surface.kind->head.name, lam_chart_names[chart]);
+    return false;
+  }
+  lam_trace_options options = {from->at_given ? from->at : NULL, from->spacing, from->base};
+  return lam_net_start_traced(p->arena, &p->surface, chart, common->grid, common->hole, &options, placing,
+                              p->design->net.place, p->errors, mesh, &p->placed);
+}
+
 static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
   const lam_design *design = p->design;
   if (common && common->from.file) return load_mesh(p, common, mesh);
@@ -64,8 +89,9 @@ static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_co
   }
   const lam_surface_place *placing = design->surface.common;
   static const int coarse[2] = {surface_grid, surface_grid};
-  return lam_net_start(p->arena, &p->surface, kind ? kind->chart : LAM_CHART_NATURAL, common ? common->grid : coarse,
-                       common ? common->hole : 0, placing, design->surface.place, p->errors, mesh, &p->placed);
+  if (common) return start_net(p, kind, common, mesh);
+  return lam_net_start(p->arena, &p->surface, LAM_CHART_NATURAL, coarse, 0, placing, design->surface.place, p->errors,
+                       mesh, &p->placed);
 }
 
 static bool build_net(pipeline *p, const lam_mesh *mesh, lam_place place) {

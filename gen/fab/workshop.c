@@ -1,12 +1,9 @@
 #include "fab/workshop.h"
 
-<<<<<<< HEAD
-#include <math.h>
-=======
 #include "core/mesh.h"
 #include "core/topology.h"
+#include <math.h>
 
->>>>>>> 2ec0d597418965cbffefaa6e830f9186846a6821
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,9 @@
 #include "net/kind.h"
 
 static const char *const stages[] = {"surface", NULL};
+static const char *const line_choices[] = {"auto",     "natural",           "asymptotic",     "principal",
+                                           "diagonal", "geodesic-parallel", "geodesic-polar", NULL};
+static const char *const base_choices[] = {"u", "v", NULL};
 static const char *const boundaries[] = {"free", "fixed", "glide", NULL};
 
 #define AT(type, member) .offset = offsetof(type, member)
@@ -19,6 +22,48 @@ static const lam_key source_keys[] = {
      .count = 1,
      .initial = "~",
      .doc = "A quad mesh (OBJ, meters) instead, relative to the design file."},
+    {.name = "lines",
+     .type = LAM_KEY_CHOICE,
+     AT(lam_net_source, lines),
+     .count = 1,
+     .initial = "auto",
+     .choices = line_choices,
+     .doc = "The lines of the surface that the net follows; auto: those that its kind starts from. Where the surface "
+            "has no formula for them they are traced: u and v of the surface are its own ranges then, and the net is "
+            "the largest piece of lines that all cross. geodesic-parallel: geodesics at right angles to a parameter "
+            "line, and points at equal distance from it. geodesic-polar: grid [rings, spokes] around a point; `hole` "
+            "rings, at least one, are left out."},
+    {.name = "trace",
+     .type = LAM_KEY_FLAG,
+     AT(lam_net_source, trace),
+     .count = 1,
+     .initial = "no",
+     .doc = "Traces the lines even where there is a formula."},
+    {.name = "at",
+     .type = LAM_KEY_NUMBER,
+     AT(lam_net_source, at),
+     .count = 2,
+     .initial = "",
+     .given_offset = offsetof(lam_net_source, at_given),
+     .doc = "Traced lines: the point (u, v) that both base lines run through; the pole of geodesic-polar. Left out: "
+            "the middle."},
+    {.name = "spacing",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     AT(lam_net_source, spacing),
+     .count = 1,
+     .initial = "0",
+     .min = 0,
+     .max = 1e6,
+     .doc = "Traced lines: their distance on the base lines, before `size` scales the surface; the net has at most "
+            "`grid` cells then. 0: `grid` cells over the whole length."},
+    {.name = "base",
+     .type = LAM_KEY_CHOICE,
+     AT(lam_net_source, base),
+     .count = 1,
+     .initial = "u",
+     .choices = base_choices,
+     .doc = "geodesic-parallel: the geodesics start from the line of constant u or of constant v through `at`."},
     {0}};
 
 static const lam_key handle_keys[] = {

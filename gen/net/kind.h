@@ -39,6 +39,12 @@ typedef enum lam_boundary { LAM_BOUNDARY_FREE, LAM_BOUNDARY_FIXED, LAM_BOUNDARY_
 typedef struct lam_net_source {
   int stage; /* 0: the surface */
   const char *file;
+  int lines;  /* 0: those that the net's kind asks for; else the chart + 1 */
+  bool trace; /* traced even where the surface has the chart in closed form */
+  double at[2];
+  bool at_given;
+  double spacing; /* meters before `size`; 0: as far as the lines reach */
+  int base;       /* geodesic parallels: 0: of a line u = const, 1: of a line v = const */
 } lam_net_source;
 
 typedef struct lam_handle {

@@ -15,6 +15,10 @@
   row(voss) \
   row(dog) \
   row(dig) \
+  row(circular) \
+  row(conical) \
+  row(isothermic) \
+  row(s_isothermic) \
   row(free)
 /* clang-format on */
 
