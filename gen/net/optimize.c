@@ -100,6 +100,17 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_problem_positions(problem, positions);
 }
 
+/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
+ */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
+                                        equations, solution->unknowns);
+}
+
 /* The net's own constraints where the vertices are now, in the form of the thesis. */
 static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
   const lam_net_job *job = a->job;
@@ -118,17 +129,6 @@ static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
 
 /* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
 static const double thesis_fairness = .01;
-
-/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
- */
-static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
-  int equations = 0;
-  for (int b = 0; b < problem->block_count; b++)
-    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
-  if (equations > solution->unknowns)
-    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
-                                        equations, solution->unknowns);
-}
 
 /* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
  * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
