@@ -36,6 +36,7 @@ extern const lam_constraint_kind lam_con_planar_star, lam_con_planar_face, lam_c
 extern const lam_constraint_kind lam_con_opposite_edges, lam_con_spherical_star;
 extern const lam_constraint_kind lam_con_geodesic_parallel, lam_con_opposite_angles, lam_con_equal_angles,
     lam_con_equal_edges, lam_con_jacobi, lam_con_strip_widths;
+extern const lam_constraint_kind lam_con_circular, lam_con_conical, lam_con_isothermic, lam_con_s_isothermic;
 
 /* Tangent of a polyline at a vertex: halfway between its unit edges, or of the circle through the vertex and its two
  * neighbors (thesis 3.2.3, def. 10). They agree where the two edges are equally long. */

@@ -21,7 +21,11 @@
   row(equal_angles) \
   row(equal_edges) \
   row(jacobi) \
-  row(strip_widths)
+  row(strip_widths) \
+  row(circular) \
+  row(conical) \
+  row(isothermic) \
+  row(s_isothermic)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_constraint_kind lam_con_##name;

@@ -83,6 +83,13 @@ static bool start_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
 static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
   const lam_design *design = p->design;
   if (common && common->from.file) return load_mesh(p, common, mesh);
+  if (kind && kind->start) {
+    if (design->surface.head)
+      lam_error_add(p->errors, design->surface.place, "surface", "given, but %s makes its own start; expected none",
+                    kind->head.name);
+    return kind->start(p->arena, design->net.params, common->grid, design->net.place, p->errors, mesh) &&
+           !design->surface.head;
+  }
   if (!design->surface.head) {
     lam_error_add(p->errors, design->net.place, "surface", "not given; expected a surface, or net.from: {file: ...}");
     return false;

@@ -1,3 +1,4 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 typedef struct params {
@@ -7,16 +8,34 @@ typedef struct params {
   bool angle_given;
 } params;
 
+static void check(lam_scope *scope, const params *p, lam_place place) {
+  if (!p->isogonal && p->angle_given)
+    lam_error_add(scope->errors, place, "net.angle", "given together with isogonal: no; expected one of the two");
+}
+
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
   lam_spherical_star_params spheres = {p->radius, LAM_SPHERES_COMMON};
   lam_con_spherical_star.add(scope, &spheres, 1, place);
-  if (!p->isogonal && p->angle_given)
-    lam_error_add(scope->errors, place, "net.angle", "given together with isogonal: no; expected one of the two");
+  check(scope, p, place);
   if (!p->isogonal) return;
   long skipped = scope->skipped;
   lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .tangents = LAM_TANGENTS_CIRCLE}, 1, place);
   scope->skipped = skipped; /* the same vertices */
+}
+
+/* Centers are unknowns here: one that is very far away has no digits left for the sphere. */
+static const double farthest = 1e4; /* mean edges */
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  const params *p = given;
+  check(scope, p, place);
+  if (fabs(p->radius) > farthest * scope->unit)
+    lam_error_add(scope->errors, place, "net.radius",
+                  "%g m; with solver: thesis expected at most %g m, ten thousand mean edges", p->radius,
+                  farthest * scope->unit);
+  else
+    lam_thesis_equal_spheres(scope, p->radius / scope->unit, p->isogonal ? p->angle : NAN);
 }
 
 static double target_angle(const void *given) {
@@ -82,5 +101,6 @@ const lam_net_kind lam_net_cmc = {
     .schedule = {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
     .guide = {LAM_FAIR_POSITION, .3, 0},
     .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
     .measures = measures,
     .target_angle = target_angle};

@@ -83,7 +83,28 @@ static const lam_key reference_keys[] = {{.name = "file",
                                           .doc = "Weight of the distance against the constraints."},
                                          {0}};
 
+static const char *const methods[] = {"lamella", "thesis", NULL};
+
 static const lam_key solver_keys[] = {
+    {.name = "method",
+     .type = LAM_KEY_CHOICE,
+     AT(lam_solver_keys, method),
+     .count = 1,
+     .initial = "lamella",
+     .choices = methods,
+     .doc = "lamella: the vertices are the unknowns, and damped steps never raise the residual. thesis: auxiliary "
+            "unknowns, "
+            "equations that are at most quadratic, full Gauss-Newton steps (thesis 3.7): for comparison."},
+    {.name = "epsilon",
+     .type = LAM_KEY_NUMBER,
+     AT(lam_solver_keys, epsilon),
+     .count = 1,
+     .initial = "1e-3",
+     .min = 1e-8,
+     .max = 1,
+     .doc = "Damping of the method thesis: how strongly a step is held back, the same in all steps. The thesis takes "
+            "1e-3; "
+            "sphere centers need 1e-6."},
     {.name = "fairness",
      .type = LAM_KEY_NUMBER,
      AT(lam_solver_keys, fairness),

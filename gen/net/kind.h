@@ -29,6 +29,10 @@ typedef struct lam_net_kind {
   /* The same constraints in the form of thesis 3.7, with auxiliary unknowns and equations that are at most quadratic;
    * NULL: the thesis gives none. */
   void (*constrain_thesis)(lam_scope *scope, const void *params, lam_place place);
+  /* Makes the mesh that the net starts from, of grid cells, where it is not sampled from a surface; NULL: it is. A mesh
+   * from a file comes first. On wrong input adds to errors and returns false. */
+  bool (*start)(lam_arena *arena, const void *params, const int grid[2], lam_place place, lam_errors *errors,
+                lam_mesh *mesh);
 } lam_net_kind;
 
 extern const lam_registry lam_nets;
@@ -64,7 +68,11 @@ typedef struct lam_reference_keys {
   double weight;
 } lam_reference_keys;
 
+typedef enum lam_method { LAM_METHOD_LAMELLA, LAM_METHOD_THESIS } lam_method;
+
 typedef struct lam_solver_keys {
+  int method; /* lam_method */
+  double epsilon;
   double fairness, closeness, stiffness, tolerance;
   bool fairness_given, closeness_given, stiffness_given, tolerance_given, fair_given;
   int fair; /* lam_fair */

@@ -49,7 +49,11 @@
   row(spacing_u) \
   row(spacing_v) \
   row(edge_strain) \
-  row(shear_strain)
+  row(shear_strain) \
+  row(circularity) \
+  row(conicality) \
+  row(cross_ratio) \
+  row(incircle_contact)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_measure_kind lam_measure_##name;

@@ -65,6 +65,7 @@ static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *star
 static void add_guide(const attempt *a, lam_scope *scope) {
   const lam_solver_keys *keys = &a->job->common->solver;
   lam_guide guide = a->job->kind->guide;
+  if (keys->method == LAM_METHOD_THESIS) guide = (lam_guide){LAM_FAIR_POSITION, 0, 0};
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
   if (keys->stiffness_given) guide.stiffness = keys->stiffness;
@@ -85,6 +86,25 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_problem_positions(problem, positions);
 }
 
+/* The net's own constraints where the vertices are now, in the form of the thesis. */
+static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
+  const lam_net_job *job = a->job;
+  if (job->kind->constrain_thesis) {
+    job->kind->constrain_thesis(scope, job->params, job->place);
+    return;
+  }
+  const char *names = "";
+  for (int i = 0; i < lam_nets.count; i++)
+    if (((const lam_net_kind *)lam_nets.rows[i])->constrain_thesis)
+      names = lam_arena_printf(a->arena, "%s%s%s", names, *names ? ", " : "", lam_nets.rows[i]->name);
+  lam_error_add(a->errors, job->place, "net.solver",
+                "thesis, but %s has no form with auxiliary unknowns; expected lamella, or one of the nets %s",
+                job->kind->head.name, names);
+}
+
+/* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
+static const double thesis_fairness = .01;
+
 /* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
  */
 static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
@@ -103,16 +123,19 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   const lam_net_common *common = job->common;
   lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, start);
   lam_scope scope = {problem, a->net, a->unit, a->tree, &a->reference, a->errors, 0};
-  job->kind->constrain(&scope, job->params, job->place);
+  bool thesis = common->solver.method == LAM_METHOD_THESIS;
+  if (!thesis) job->kind->constrain(&scope, job->params, job->place);
   for (int i = 0; i < common->constraints.count; i++) {
     const lam_row *row = (const lam_row *)common->constraints.items + i;
     ((const lam_constraint_kind *)row->head)->add(&scope, row->params, 1, row->place);
   }
   fix_boundary(a, problem, &scope);
   memcpy(problem->x, positions, sizeof *positions * (size_t)problem->vertex_count);
+  if (thesis) constrain_by_thesis(a, &scope); /* auxiliary unknowns start from the vertices' places */
   add_handles(a, &scope, start, share);
   if (job->reference) lam_con_proximity.add(&scope, NULL, common->reference.weight, job->place);
   lam_schedule schedule = job->kind->schedule;
+  if (thesis) schedule.fairness = fmin(schedule.fairness, thesis_fairness);
   if (common->solver.fairness_given) schedule.fairness = common->solver.fairness;
   if (common->solver.tolerance_given) schedule.tolerance = common->solver.tolerance;
   schedule.max_iterations = common->solver.iterations;
@@ -120,8 +143,9 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   if (a->errors->count) return none;
   if (a->let_go) schedule.fairness = 0;
   if (schedule.fairness > 0) add_guide(a, &scope);
-  lam_solution solution = lam_guided_solve(problem, &schedule, job->progress);
-  if (!solution.converged) explain(a->arena, problem, &solution);
+  lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, job->progress)
+                                 : lam_guided_solve(problem, &schedule, job->progress);
+  if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
   return solution;
