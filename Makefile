@@ -91,7 +91,7 @@ $(out)/tests/%: tests/%.c $(out)/liblamella.a
 -include $(lib_obj:.o=.d) $(cli_obj:.o=.d) $(tests:=.d)
 
 # ---- models: one folder per design; a design's rule lists the templates and meshes it used ----
-all_but_png := report,obj,stl,scad,dxf,svg,gltf,bom,nodes,assembly,pov,plot,plot-gltf
+all_but_png := report,obj,stl,scad,dxf,svg,gltf,bom,nodes,assembly,pov,surface,step,iges,plot,plot-gltf
 models: $(designs:%=build/models/%/report.json)
 build/models/%/report.json: templates/designs/%.yaml build/lamella
 	@echo "  make $*"

@@ -40,7 +40,10 @@ static lam_listed *collect_nets(lam_arena *arena, const lam_section *section, in
     listed[i].use = kind->use;
     listed[i].trouble = kind->trouble;
     lam_text text = {.arena = arena};
-    lam_text_printf(&text, "starts from the %s lines of a surface, or from a mesh\n", lam_chart_names[kind->chart]);
+    if (kind->start)
+      lam_text_add(&text, "makes its own start, without a surface\n");
+    else
+      lam_text_printf(&text, "starts from the %s lines of a surface, or from a mesh\n", lam_chart_names[kind->chart]);
     if (kind->levels > 0) lam_text_printf(&text, "coarse to fine: %d coarser nets are solved first\n", kind->levels);
     if (kind->schedule.fairness > 0)
       lam_text_printf(&text, "%s; weight %g, faded out after %d iterations\n", guide_text(arena, kind),

@@ -30,6 +30,16 @@ typedef struct lam_polyline {
   int *vertices;
 } lam_polyline;
 
+/* ---- smooth surfaces ---- */
+/* A tensor-product spline surface x(u,v) = sum N_i(u) N_j(v) w_ij P_ij / sum N_i(u) N_j(v) w_ij. */
+typedef struct lam_spline_surface {
+  const char *name; /* unique and file-name safe; NULL outside a model */
+  int degree[2], count[2];
+  const double *knots[2]; /* count + degree + 1 numbers that do not decrease */
+  const lam_vec3 *points; /* count[0] x count[1], v running fastest; meters, not multiplied by weights */
+  const double *weights;  /* positive, in the order of points; NULL: all 1 */
+} lam_spline_surface;
+
 /* ---- materials ---- */
 typedef struct lam_material {
   const char *name, *doc;
@@ -206,6 +216,8 @@ typedef struct lam_model {
   const lam_mesh *net; /* NULL when the design has none */
   int polyline_count;
   const lam_polyline *polylines;
+  int surface_count; /* smooth surfaces that are splines */
+  const lam_spline_surface *surfaces;
   int part_count;
   const lam_part *parts;
   int record_kind_count; /* per part kind with records: its columns and OpenSCAD settings */

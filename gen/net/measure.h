@@ -17,6 +17,7 @@ typedef struct lam_measuring {
   const lam_tree *reference;         /* a mesh to compare with; NULL: none */
   const lam_trimesh *reference_mesh; /* of the tree */
   const double *axis;                /* point and direction of a surface of revolution (6 numbers); NULL: none */
+  const lam_vec3 *start;             /* positions that strains are measured against; NULL: none */
 } lam_measuring;
 
 /* What a measure has one value on. */

@@ -14,7 +14,8 @@ typedef struct lam_net_job {
 } lam_net_job;
 
 typedef struct lam_net_result {
-  lam_solution solution;
+  lam_solution solution;  /* its iterations are those of all levels and steps together */
+  int levels;             /* coarser nets that were solved first */
   const char *degenerate; /* NULL: none */
   bool converged;         /* solved and not degenerate */
   const char *reason;
@@ -29,5 +30,10 @@ typedef struct lam_net_result {
  * then. */
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result);
+
+/* Measures a solved net (meters) by its kind's measures, those of the reference and those that the design asks for, and
+ * keeps what they were measured with. start: positions before the solver. */
+void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_net *net, const lam_vec3 *start,
+                            lam_net_result *result);
 
 #endif
