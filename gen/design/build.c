@@ -173,25 +173,6 @@ static bool make_net(pipeline *p) {
   return true;
 }
 
-/* ---- color maps ---- */
-
-static bool make_maps(pipeline *p) {
-  const lam_list *plots = &p->design->plots;
-  int before = p->errors->count;
-  lam_place place = {.file = p->design->path};
-  lam_measures_check(plots, true, place, "plots", p->errors);
-  if (plots->count && !p->net)
-    lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
-  if (p->errors->count > before) return false;
-  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
-  if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
-  for (int i = 0; i < plots->count; i++)
-    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
-  p->model->map_count = plots->count;
-  p->model->maps = maps;
-  return true;
-}
-
 /* ---- the surface ---- */
 
 static void report_surface(pipeline *p) {
@@ -215,6 +196,25 @@ static void keep_spline(pipeline *p) {
   to->name = "surface";
   p->model->surface_count = 1;
   p->model->surfaces = to;
+}
+
+/* ---- color maps ---- */
+
+static bool make_maps(pipeline *p) {
+  const lam_list *plots = &p->design->plots;
+  int before = p->errors->count;
+  lam_place place = {.file = p->design->path};
+  lam_measures_check(plots, true, place, "plots", p->errors);
+  if (plots->count && !p->net)
+    lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
+  if (p->errors->count > before) return false;
+  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
+  if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
+  for (int i = 0; i < plots->count; i++)
+    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
+  p->model->map_count = plots->count;
+  p->model->maps = maps;
+  return true;
 }
 
 /* ---- where it stands ---- */
