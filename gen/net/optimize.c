@@ -6,8 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double right_angle = 3.14159265358979323846 / 2;
-
 typedef struct attempt {
   lam_arena *arena;
   const lam_net_job *job;
@@ -208,47 +206,6 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   return true;
 }
 
-static bool listed(const char *const *names, int count, const char *name) {
-  for (int i = 0; i < count; i++)
-    if (strcmp(names[i], name) == 0) return true;
-  return false;
-}
-
-/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
-static const char *const *measure_names(const attempt *a) {
-  static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
-  const lam_list *more = &a->job->common->measures;
-  const char *const *own = a->job->kind->measures;
-  int count = 0;
-  while (own[count]) count++;
-  const char **names = LAM_NEW(a->arena, const char *, count + more->count + 3);
-  for (int i = 0; i < count; i++) names[i] = own[i];
-  for (int i = 0; a->job->reference && i < 2; i++)
-    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
-  for (int i = 0; i < more->count; i++) {
-    const char *name = ((const char *const *)more->items)[i];
-    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
-  }
-  return names;
-}
-
-/* In meters: the reference gets a tree of its own. */
-static void measure(const attempt *a, const lam_vec3 *start, lam_net_result *result) {
-  const lam_net_job *job = a->job;
-  lam_measuring *in = &result->measuring;
-  *in = lam_measuring_of(a->arena, a->net, a->net->mesh.vertices);
-  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  if (!isnan(target)) in->target_angle = target;
-  in->start = start;
-  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
-  if (tree) {
-    lam_arena_defer(a->arena, lam_tree_free, tree);
-    in->reference = tree;
-    in->reference_mesh = job->reference;
-  }
-  result->measures = lam_net_measure(in, measure_names(a), &result->measure_count);
-}
-
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result) {
   int n = net->mesh.vertex_count, steps = 1, before = errors->count;
@@ -298,6 +255,6 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
-  measure(&a, begin, result);
+  lam_net_measure_result(arena, job, net, begin, result);
   return true;
 }

@@ -31,4 +31,9 @@ typedef struct lam_net_result {
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result);
 
+/* Measures a solved net (meters) by its kind's measures, those of the reference and those that the design asks for, and
+ * keeps what they were measured with. start: positions before the solver. */
+void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_net *net, const lam_vec3 *start,
+                            lam_net_result *result);
+
 #endif
