@@ -28,6 +28,15 @@ void lam_collocation_solve(lam_arena *arena, const lam_collocation *space, int d
   lam_arena_release(arena, mark);
 }
 
+void lam_bezier_elevate(int degree, int target, int dimension, double *values) {
+  for (int n = degree + 1; n <= target; n++)
+    for (int c = 0; c < dimension; c++) {
+      values[n * dimension + c] = values[(n - 1) * dimension + c];
+      for (int j = n - 1; j > 0; j--)
+        values[j * dimension + c] = (j * values[(j - 1) * dimension + c] + (n - j) * values[j * dimension + c]) / n;
+    }
+}
+
 const double *lam_knots_repeat(lam_arena *arena, int degree, int inner_count, const double *inner, int multiplicity,
                                int *count) {
   *count = degree + 1 + inner_count * multiplicity;

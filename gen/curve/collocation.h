@@ -21,6 +21,10 @@ lam_collocation lam_collocation_make(lam_arena *arena, int degree, int count, co
 /* Replaces values at the places, `dimension` numbers for each, by the coefficients of the spline that has them. */
 void lam_collocation_solve(lam_arena *arena, const lam_collocation *space, int dimension, double *values);
 
+/* Raises the degree of a Bezier curve in place: values holds degree + 1 points of `dimension` numbers and has room for
+ * target + 1. To rounding of every single point, which second derivatives at high degree need. */
+void lam_bezier_elevate(int degree, int target, int dimension, double *values);
+
 /* degree + 1 times 0, every inner knot `multiplicity` times, degree + 1 times 1; inner_count ascending inner knots.
  * Sets count to the number of functions. */
 const double *lam_knots_repeat(lam_arena *arena, int degree, int inner_count, const double *inner, int multiplicity,

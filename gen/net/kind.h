@@ -29,6 +29,10 @@ typedef struct lam_net_kind {
   /* The same constraints in the form of thesis 3.7, with auxiliary unknowns and equations that are at most quadratic;
    * NULL: the thesis gives none. */
   void (*constrain_thesis)(lam_scope *scope, const void *params, lam_place place);
+  /* Makes the mesh that the net starts from, of grid cells, where it is not sampled from a surface; NULL: it is. A mesh
+   * from a file comes first. On wrong input adds to errors and returns false. */
+  bool (*start)(lam_arena *arena, const void *params, const int grid[2], lam_place place, lam_errors *errors,
+                lam_mesh *mesh);
 } lam_net_kind;
 
 extern const lam_registry lam_nets;
@@ -48,10 +52,15 @@ typedef struct lam_net_source {
 } lam_net_source;
 
 typedef struct lam_handle {
-  int vertex[2];
-  double to[3];
+  int vertex[2]; /* {index, -1} */
+  double to[3];  /* meters */
   int steps;
   bool release;
+  /* As the design gives it (net/handles.h); with nothing of this, vertex and to are meant. */
+  lam_list index, goal; /* of int; of double */
+  double at[3], by[3];
+  bool at_given, by_given, side_given;
+  int side, degree;
 } lam_handle;
 
 typedef struct lam_reference_keys {
@@ -81,6 +90,7 @@ typedef struct lam_net_common {
   int boundary;         /* lam_boundary */
   lam_list handles;     /* of lam_handle */
   lam_list constraints; /* of lam_row of lam_constraints */
+  lam_list measures;    /* of const char *: for the report, beside the kind's own */
   lam_reference_keys reference;
   bool reference_given;
   lam_solver_keys solver;

@@ -1,4 +1,5 @@
 #include "net/optimize.h"
+#include "net/handles.h"
 #include "net/measure.h"
 #include "net/multilevel.h"
 
@@ -16,6 +17,7 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
+  int levels;  /* coarser nets that were solved before */
   bool let_go; /* handles with release: yes no longer hold */
 } attempt;
 
@@ -31,18 +33,6 @@ static void prepare_reference(attempt *a) {
   else
     lam_arena_defer(a->arena, lam_tree_free, tree);
   a->tree = tree;
-}
-
-/* Grid position or index of a handle; -1 with an error when there is no such vertex. */
-static int handle_vertex(const attempt *a, const lam_handle *handle) {
-  int n = a->net->mesh.vertex_count, columns = a->job->common->grid[1] + 1, i = handle->vertex[0],
-      j = handle->vertex[1];
-  bool is_grid = !a->job->common->from.file && n == (a->job->common->grid[0] + 1) * columns;
-  int v = j < 0 ? i : is_grid && j < columns ? i * columns + j : -1;
-  if (v >= 0 && v < n) return v;
-  lam_error_add(a->errors, a->job->place, "net.handles", "vertex [%d, %d] does not exist; expected %s%d vertices", i, j,
-                is_grid ? "a position on the grid, or [index, -1], of " : "[index, -1] of ", n);
-  return -1;
 }
 
 static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scope) {
@@ -80,6 +70,8 @@ static void add_guide(const attempt *a, lam_scope *scope) {
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
   if (keys->stiffness_given) guide.stiffness = keys->stiffness;
+  /* a fine net that starts from a solved coarse one needs less: closeness to it would keep its creases */
+  guide.closeness *= pow(.5, a->levels);
   lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->place);
   if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->place);
   if (guide.stiffness > 0)
@@ -216,6 +208,47 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   return true;
 }
 
+static bool listed(const char *const *names, int count, const char *name) {
+  for (int i = 0; i < count; i++)
+    if (strcmp(names[i], name) == 0) return true;
+  return false;
+}
+
+/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
+static const char *const *measure_names(const attempt *a) {
+  static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
+  const lam_list *more = &a->job->common->measures;
+  const char *const *own = a->job->kind->measures;
+  int count = 0;
+  while (own[count]) count++;
+  const char **names = LAM_NEW(a->arena, const char *, count + more->count + 3);
+  for (int i = 0; i < count; i++) names[i] = own[i];
+  for (int i = 0; a->job->reference && i < 2; i++)
+    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
+  for (int i = 0; i < more->count; i++) {
+    const char *name = ((const char *const *)more->items)[i];
+    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
+  }
+  return names;
+}
+
+/* In meters: the reference gets a tree of its own. */
+static void measure(const attempt *a, const lam_vec3 *start, lam_net_result *result) {
+  const lam_net_job *job = a->job;
+  lam_measuring *in = &result->measuring;
+  *in = lam_measuring_of(a->arena, a->net, a->net->mesh.vertices);
+  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
+  if (!isnan(target)) in->target_angle = target;
+  in->start = start;
+  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
+  if (tree) {
+    lam_arena_defer(a->arena, lam_tree_free, tree);
+    in->reference = tree;
+    in->reference_mesh = job->reference;
+  }
+  result->measures = lam_net_measure(in, measure_names(a), &result->measure_count);
+}
+
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result) {
   int n = net->mesh.vertex_count, steps = 1, before = errors->count;
@@ -227,15 +260,16 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     return false;
   }
   prepare_reference(&a);
-  const lam_list *handles = &job->common->handles;
+  lam_net_common common = *job->common;
+  lam_net_job resolved = *job;
+  common.handles = lam_handles_resolve(arena, job->common, net, net->mesh.vertices, job->place, errors);
+  resolved.common = &common;
+  a.job = &resolved;
+  const lam_list *handles = &common.handles;
   a.handle_vertices = LAM_NEW(arena, int, handles->count);
   for (int h = 0; h < handles->count; h++) {
     const lam_handle *handle = (const lam_handle *)handles->items + h;
-    a.handle_vertices[h] = handle_vertex(&a, handle);
-    if (a.handle_vertices[h] >= 0 && job->common->boundary == LAM_BOUNDARY_FIXED && net->boundary[a.handle_vertices[h]])
-      lam_error_add(errors, job->place, "net.handles",
-                    "vertex [%d, %d] lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
-                    handle->vertex[0], handle->vertex[1]);
+    a.handle_vertices[h] = handle->vertex[0];
     if (handle->steps > steps) steps = handle->steps;
   }
   if (errors->count > before) return false;
@@ -243,7 +277,8 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
   if (!begin_coarse(&a, start, x, result)) return false;
-  if (result->levels > 0)
+  a.levels = result->levels;
+  if (a.levels > 0)
     steps = 1;
   else if (job->common->solver.smooth)
     smooth(&a, start, x);
@@ -263,10 +298,6 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
-  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
-  if (!isnan(target)) measuring.target_angle = target;
-  measuring.start = begin;
-  result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
+  measure(&a, begin, result);
   return true;
 }

@@ -53,16 +53,10 @@ static const lam_key keys[] = {
             "tan^2(angle / 2) everywhere. Left out: angles are free."},
     {0}};
 
-static const char *const measures[] = {"star_sphericity",
-                                       "star_curvature",
-                                       "circle_angle_deviation",
-                                       "crossing_angle",
-                                       "face_planarity",
-                                       "edge_length",
-                                       "shortest_edge",
-                                       "foldovers",
-                                       "flatness",
-                                       NULL};
+static const char *const measures[] = {
+    "star_sphericity",        "principal_deviation", "star_curvature", "curvature_ratio",
+    "circle_angle_deviation", "crossing_angle",      "face_planarity", "edge_length",
+    "shortest_edge",          "foldovers",           "flatness",       NULL};
 
 const lam_net_kind lam_net_s_net = {
     .head = {"s-net", "Principal symmetric net (S-net)",
@@ -77,10 +71,11 @@ const lam_net_kind lam_net_s_net = {
     .trouble = "The start must not follow the principal curvature lines: turn it by about 45 degrees against them (the "
                "diagonals of a principal net). Near umbilics (a sphere's top) any direction will do, and the net may "
                "swirl. planar: yes on a saddle has no solution but a plane or collapsed edges; with an angle as well "
-               "the shape itself changes, by an edge length or so. Look at flatness, shortest_edge and the drift.",
+               "the shape itself changes, by an edge length or so. Look at flatness, shortest_edge and the drift. More "
+               "closeness (solver) keeps more of the start's height and leaves ripples; less smooths both away.",
     .chart = LAM_CHART_DIAGONAL,
     .schedule = {.fairness = .02, .hold = 3, .decay = .473, .floor = 9e-4, .tolerance = 1e-12, .max_iterations = 100},
-    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .guide = {LAM_FAIR_POSITION, .15, 0},
     .constrain = constrain,
     .constrain_thesis = constrain_thesis,
     .measures = measures,

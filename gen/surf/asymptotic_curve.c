@@ -63,8 +63,7 @@ static void measure_end(lam_quad_boundary *b, int i, int e) {
 
 enum { ENERGY_PLACES = 40 }; /* of the Gauss rule on a rational curve */
 
-/* Integral of |r''|^2: exact for polynomial pieces. */
-static double bending(const lam_quad_curve *c) {
+double lam_quad_curve_bending(const lam_quad_curve *c) {
   double places[ENERGY_PLACES], weights[ENERGY_PLACES], sum = 0;
   int count = c->weights ? ENERGY_PLACES : c->degree;
   lam_gauss_rule(count, places, weights);
@@ -83,6 +82,6 @@ void lam_quad_boundary_measure(lam_quad_boundary *boundary) {
   boundary->energy = 0;
   for (int i = 0; i < 4; i++) {
     for (int e = 0; e < 2; e++) measure_end(boundary, i, e);
-    boundary->energy += bending(&boundary->curve[i]);
+    boundary->energy += lam_quad_curve_bending(&boundary->curve[i]);
   }
 }

@@ -25,7 +25,7 @@ bool lam_asymptotic_patch_make(lam_arena *arena, const lam_quad_corners *corners
   if (!lam_quad_boundary_make(arena, corners, form, place, errors, &patch->boundary)) return false;
   bool made;
   if (form == LAM_QUAD_BI13)
-    made = lam_quad_patch_rational(arena, &patch->boundary, recipe, patch);
+    made = lam_quad_patch_rational(arena, &patch->boundary, recipe, place, errors, patch);
   else if (recipe->free)
     made = lam_quad_patch_free(arena, &patch->boundary, recipe, place, errors, patch);
   else

@@ -39,6 +39,8 @@ bool lam_quad_corners_check(const lam_quad_corners *corners, lam_quad_form form,
 /* The first and the last two points of every curve, from corners and tangents; the others lie between, evenly. */
 void lam_quad_boundary_start(lam_arena *arena, const lam_quad_corners *corners, const lam_quad_recipe *recipe,
                              lam_quad_boundary *boundary);
+/* Integral of |r''|^2: exact for polynomial pieces, by a Gauss rule otherwise. */
+double lam_quad_curve_bending(const lam_quad_curve *curve);
 /* Fills slide, cross, curvature, torsion and energy from the curves. */
 void lam_quad_boundary_measure(lam_quad_boundary *boundary);
 /* The remaining points: of least energy with given end curvatures; with a quartic; with a rational quartic. */
@@ -69,7 +71,7 @@ typedef struct lam_quad_tangents {
 void lam_quad_tangents_make(lam_arena *arena, const lam_quad_boundary *boundary, lam_quad_tangents *tangents);
 lam_vec3 lam_quad_tangents_eval(const lam_quad_tangents *tangents, int curve, double t);
 
-/* The spaces of the surface in u and v, and the boundary curves in them. */
+/* The spaces of the surface in u and v, and the boundary curves in them (zeros for rational curves). */
 typedef struct lam_quad_spaces {
   lam_collocation space[2];
   lam_vec3 *curve[4];
@@ -100,6 +102,6 @@ bool lam_quad_patch_fixed(lam_arena *arena, const lam_quad_boundary *boundary, c
 bool lam_quad_patch_free(lam_arena *arena, const lam_quad_boundary *boundary, const lam_quad_recipe *recipe,
                          lam_place place, lam_errors *errors, lam_asymptotic_patch *patch);
 bool lam_quad_patch_rational(lam_arena *arena, const lam_quad_boundary *boundary, const lam_quad_recipe *recipe,
-                             lam_asymptotic_patch *patch);
+                             lam_place place, lam_errors *errors, lam_asymptotic_patch *patch);
 
 #endif

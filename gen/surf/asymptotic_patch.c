@@ -16,9 +16,16 @@ void lam_quad_spaces_make(lam_arena *arena, const lam_quad_boundary *boundary, c
   for (int i = 0; i < 4; i++) {
     const lam_collocation *space = &spaces->space[i % 2];
     lam_vec3 *points = spaces->curve[i] = LAM_NEW(arena, lam_vec3, space->count);
+    const lam_quad_curve *c = &boundary->curve[i];
+    if (c->weights) continue;
+    if (c->count == c->degree + 1) {
+      for (int k = 0; k < c->count; k++) points[k] = c->points[k];
+      lam_bezier_elevate(c->degree, space->degree, 3, &points[0].x);
+      continue;
+    }
     for (int k = 0; k < space->count; k++) {
       lam_vec3 jet[4];
-      lam_quad_curve_eval(&boundary->curve[i], space->places[k], jet);
+      lam_quad_curve_eval(c, space->places[k], jet);
       points[k] = jet[0];
     }
     lam_collocation_solve(arena, space, 3, &points[0].x);

@@ -8,6 +8,7 @@
   row(nurbs) \
   row(monge) \
   row(revolution) \
+  row(molding) \
   row(enneper) \
   row(catenoid) \
   row(helicoid) \
