@@ -30,6 +30,16 @@ typedef struct lam_polyline {
   int *vertices;
 } lam_polyline;
 
+/* ---- smooth surfaces ---- */
+/* A tensor-product spline surface x(u,v) = sum N_i(u) N_j(v) w_ij P_ij / sum N_i(u) N_j(v) w_ij. */
+typedef struct lam_spline_surface {
+  const char *name; /* unique and file-name safe; NULL outside a model */
+  int degree[2], count[2];
+  const double *knots[2]; /* count + degree + 1 numbers that do not decrease */
+  const lam_vec3 *points; /* count[0] x count[1], v running fastest; meters, not multiplied by weights */
+  const double *weights;  /* positive, in the order of points; NULL: all 1 */
+} lam_spline_surface;
+
 /* ---- materials ---- */
 typedef struct lam_material {
   const char *name, *doc;
@@ -154,9 +164,10 @@ typedef struct lam_sheet {
 } lam_sheet;
 
 /* ---- report ---- */
+/* What was measured on a number of elements. NaN: undefined, or not known (min of a stage that keeps none). */
 typedef struct lam_measure {
   const char *name, *unit;
-  double max, mean;
+  double min, max, mean;
   long count; /* elements measured */
 } lam_measure;
 
@@ -178,6 +189,20 @@ typedef struct lam_report {
   lam_stage *stages;
 } lam_report;
 
+/* ---- color maps ---- */
+typedef enum lam_map_on { LAM_MAP_VERTICES, LAM_MAP_EDGES, LAM_MAP_FACES } lam_map_on;
+
+/* A measure with its values on the elements of the net. */
+typedef struct lam_map {
+  lam_map_on on;
+  const char *doc;
+  lam_measure summary;
+  int count;
+  const double *values;    /* not finite: undefined there */
+  const int (*edges)[2];   /* vertices of the edges, when the values are on edges */
+  const lam_vec3 *normals; /* unit normals of the net's vertices */
+} lam_map;
+
 /* ---- the picture ---- */
 typedef struct lam_picture {
   const char *setting; /* a file of templates/pov without its ending */
@@ -191,6 +216,8 @@ typedef struct lam_model {
   const lam_mesh *net; /* NULL when the design has none */
   int polyline_count;
   const lam_polyline *polylines;
+  int surface_count; /* smooth surfaces that are splines */
+  const lam_spline_surface *surfaces;
   int part_count;
   const lam_part *parts;
   int record_kind_count; /* per part kind with records: its columns and OpenSCAD settings */
@@ -202,6 +229,8 @@ typedef struct lam_model {
   int support_count; /* net vertices on the ground */
   const lam_vec3 *supports;
   const lam_report *report;
+  int map_count; /* of the net; none without a net */
+  const lam_map *maps;
   lam_picture picture;
 } lam_model;
 

@@ -3,8 +3,10 @@
 #include "fab/lamella_checks.h"
 #include "fab/sheet.h"
 #include "fab/workshop.h"
+#include "net/map.h"
 #include "net/optimize.h"
 #include "net/start.h"
+#include "net/trace.h"
 #include "surf/place.h"
 
 #include <math.h>
@@ -22,9 +24,11 @@ typedef struct pipeline {
   lam_model *model;
   lam_surface surface;
   lam_net *net;
+  lam_measuring measuring; /* of the net */
   lam_vec3 *normals;
+  lam_siting placed; /* of the surface */
   int stage_count;
-  lam_stage stages[3]; /* net, sheets; parts bring their own */
+  lam_stage stages[3]; /* surface, net, sheets; parts bring their own */
   double since;
 } pipeline;
 
@@ -54,17 +58,49 @@ static bool load_mesh(pipeline *p, const lam_net_common *common, lam_mesh *mesh)
   return false;
 }
 
+/* The lines of the surface that the net asks for, by formula or traced. */
+static bool start_net(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
+  const lam_net_source *from = &common->from;
+  const lam_surface_place *placing = p->design->surface.common;
+  lam_place place = p->design->surface.place;
+  lam_chart chart = from->lines ? (lam_chart)(from->lines - 1) : kind->chart;
+  double ranges[2][2];
+  bool closed[2], formula = chart < LAM_CHART_COUNT &&
+                            p->surface.kind->domain(p->surface.data, chart, ranges[0], ranges[1], closed);
+  if (formula && !from->trace) {
+    if (!from->at_given && from->spacing == 0)
+      return lam_net_start(p->arena, &p->surface, chart, common->grid, common->hole, placing, place, p->errors, mesh,
+                           &p->placed);
+    lam_error_add(p->errors, p->design->net.place, from->at_given ? "net.from.at" : "net.from.spacing",
+                  "given, but %s has a formula for its %s lines; expected trace: yes beside it, or u and v of the "
+                  "surface instead",
+                  p->surface.kind->head.name, lam_chart_names[chart]);
+    return false;
+  }
+  lam_trace_options options = {from->at_given ? from->at : NULL, from->spacing, from->base};
+  return lam_net_start_traced(p->arena, &p->surface, chart, common->grid, common->hole, &options, placing,
+                              p->design->net.place, p->errors, mesh, &p->placed);
+}
+
 static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
   const lam_design *design = p->design;
   if (common && common->from.file) return load_mesh(p, common, mesh);
+  if (kind && kind->start) {
+    if (design->surface.head)
+      lam_error_add(p->errors, design->surface.place, "surface", "given, but %s makes its own start; expected none",
+                    kind->head.name);
+    return kind->start(p->arena, design->net.params, common->grid, design->net.place, p->errors, mesh) &&
+           !design->surface.head;
+  }
   if (!design->surface.head) {
     lam_error_add(p->errors, design->net.place, "surface", "not given; expected a surface, or net.from: {file: ...}");
     return false;
   }
   const lam_surface_place *placing = design->surface.common;
   static const int coarse[2] = {surface_grid, surface_grid};
-  return lam_net_start(p->arena, &p->surface, kind ? kind->chart : LAM_CHART_NATURAL, common ? common->grid : coarse,
-                       common ? common->hole : 0, placing, design->surface.place, p->errors, mesh);
+  if (common) return start_net(p, kind, common, mesh);
+  return lam_net_start(p->arena, &p->surface, LAM_CHART_NATURAL, coarse, 0, placing, design->surface.place, p->errors,
+                       mesh, &p->placed);
 }
 
 static bool build_net(pipeline *p, const lam_mesh *mesh, lam_place place) {
@@ -84,12 +120,12 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   const lam_design *design = p->design;
   lam_stage *stage = begin_stage(p, "net");
   lam_net_job job = {kind, design->net.params, common, NULL, design->net.place, p->progress};
-  lam_trimesh reference;
   if (common->reference_given && common->reference.file) {
+    lam_trimesh *reference = LAM_NEW(p->arena, lam_trimesh, 1);
     if (!p->loader || !p->loader->triangles(p->loader->context, p->arena, common->reference.file, design->net.place,
-                                            p->errors, &reference))
+                                            p->errors, reference))
       return false;
-    job.reference = &reference;
+    job.reference = reference;
   }
   lam_net_result result;
   if (!lam_net_optimize(p->arena, &job, p->net, p->errors, &result)) return false;
@@ -100,9 +136,11 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   stage->residual = result.solution.residual;
   stage->measure_count = result.measure_count;
   stage->measures = result.measures;
+  p->measuring = result.measuring;
   lam_stage_note(p->arena, stage, "%d vertices, %d faces, %d unknowns, %d equations", p->net->mesh.vertex_count,
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
+  if (result.levels) lam_stage_note(p->arena, stage, "%d coarser nets solved first", result.levels);
   if (result.skipped) lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
   if (!result.converged && result.solution.worst)
     lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);
@@ -125,13 +163,57 @@ static bool make_net(pipeline *p) {
     if (!solve_net(p, kind, common)) return false;
     const lam_surface_place *placing = design->surface.head ? design->surface.common : NULL;
     bool held = common->handles.count > 0 || common->boundary != LAM_BOUNDARY_FREE || common->reference_given;
-    if (placing && placing->ground && !held) lam_mesh_ground(&p->net->mesh);
+    if (placing && placing->ground && !held) p->placed.lift += lam_mesh_ground(&p->net->mesh);
   }
   p->normals = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
   lam_net_normals(p->net, p->net->mesh.vertices, p->normals);
   p->model->net = &p->net->mesh;
   p->model->polyline_count = p->net->polyline_count;
   p->model->polylines = p->net->polylines;
+  return true;
+}
+
+/* ---- the surface ---- */
+
+static void report_surface(pipeline *p) {
+  const lam_surface_kind *kind = p->surface.kind;
+  if (!kind || !kind->report) return;
+  lam_stage *stage = begin_stage(p, lam_arena_printf(p->arena, "surface: %s", kind->head.name));
+  kind->report(p->arena, p->surface.data, stage);
+}
+
+/* The surface for writers, where the net is. */
+static void keep_spline(pipeline *p) {
+  const lam_surface_kind *kind = p->surface.kind;
+  const lam_spline_surface *from = kind && kind->spline ? kind->spline(p->surface.data) : NULL;
+  if (!from || !p->net) return;
+  lam_spline_surface *to = LAM_NEW(p->arena, lam_spline_surface, 1);
+  *to = *from;
+  int count = to->count[0] * to->count[1];
+  lam_vec3 *points = LAM_NEW(p->arena, lam_vec3, count);
+  for (int i = 0; i < count; i++) points[i] = lam_siting_apply(&p->placed, from->points[i]);
+  to->points = points;
+  to->name = "surface";
+  p->model->surface_count = 1;
+  p->model->surfaces = to;
+}
+
+/* ---- color maps ---- */
+
+static bool make_maps(pipeline *p) {
+  const lam_list *plots = &p->design->plots;
+  int before = p->errors->count;
+  lam_place place = {.file = p->design->path};
+  lam_measures_check(plots, true, place, "plots", p->errors);
+  if (plots->count && !p->net)
+    lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
+  if (p->errors->count > before) return false;
+  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
+  if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
+  for (int i = 0; i < plots->count; i++)
+    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
+  p->model->map_count = plots->count;
+  p->model->maps = maps;
   return true;
 }
 
@@ -200,7 +282,7 @@ static void collect_report(pipeline *p, const lam_workshop *workshop) {
   lam_report *report = LAM_NEW(p->arena, lam_report, 1);
   report->stages = LAM_NEW(p->arena, lam_stage, p->stage_count + workshop->stage_count);
   int own = 0;
-  if (own < p->stage_count && strcmp(p->stages[own].name, "sheets") != 0)
+  while (own < p->stage_count && strcmp(p->stages[own].name, "sheets") != 0)
     report->stages[report->stage_count++] = p->stages[own++];
   for (int i = 0; i < workshop->stage_count; i++) report->stages[report->stage_count++] = workshop->stages[i];
   while (own < p->stage_count) report->stages[report->stage_count++] = p->stages[own++];
@@ -220,7 +302,10 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   pipeline p = {
       .arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
   if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
-  if (errors->count > before || !make_net(&p)) return false;
+  if (errors->count > before) return false;
+  report_surface(&p);
+  if (!make_net(&p) || !make_maps(&p)) return false;
+  keep_spline(&p);
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};

@@ -2,6 +2,7 @@
 
 #include "core/mesh.h"
 #include "core/topology.h"
+#include <math.h>
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -64,12 +65,16 @@ lam_stage *lam_workshop_stage(lam_workshop *w, const char *name) {
   return stage;
 }
 
-void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
-                       long count) {
+void lam_stage_measure_add(lam_arena *arena, lam_stage *stage, lam_measure measure) {
   int capacity = stage->measure_count; /* a stage has few measures: the array is copied for each */
   lam_measure *measures = room(arena, stage->measures, stage->measure_count, &capacity, sizeof *measures);
-  measures[stage->measure_count++] = (lam_measure){name, unit, max, mean, count};
+  measures[stage->measure_count++] = measure;
   stage->measures = measures;
+}
+
+void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
+                       long count) {
+  lam_stage_measure_add(arena, stage, (lam_measure){name, unit, NAN, max, mean, count});
 }
 
 void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) {

@@ -50,7 +50,8 @@ int lam_workshop_next_class(const lam_workshop *workshop);
 void lam_part_set_facts(lam_arena *arena, lam_part *part, const lam_fact *facts, int count);
 /* Whether the part's solid is closed, oriented outward and in one piece. */
 bool lam_part_is_sound(lam_arena *arena, const lam_part *part);
-/* Adds a measure to a stage; name and unit are kept by pointer. */
+/* Adds a measure to a stage; name and unit are kept by pointer. The second form is for those without a minimum. */
+void lam_stage_measure_add(lam_arena *arena, lam_stage *stage, lam_measure measure);
 void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
                        long count);
 void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) __attribute__((format(printf, 3, 4)));

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "core/key.h"
-#include "core/vec3.h"
+#include "core/model.h"
 
 /* A point with derivatives up to the second. */
 typedef struct lam_jet {
@@ -14,13 +14,17 @@ typedef struct lam_jet {
 
 /* Parameterizations that a net may ask a surface for. NATURAL is the surface's own (u,v). In the others the parameter
  * lines have the named property; DIAGONAL are the diagonals of an isothermic principal grid (a = (p+q)/2, b = (p-q)/2
- * in isothermic coordinates: lines of equal normal curvature on CMC surfaces). */
+ * in isothermic coordinates: lines of equal normal curvature on CMC surfaces). In the geodesic ones the lines of the
+ * first parameter are geodesics, by arc length: at right angles to a curve, or through a pole. */
 typedef enum lam_chart {
   LAM_CHART_NATURAL,
   LAM_CHART_ASYMPTOTIC,
   LAM_CHART_PRINCIPAL,
   LAM_CHART_DIAGONAL,
-  LAM_CHART_COUNT
+  LAM_CHART_COUNT, /* of those that a surface may offer in closed form; the others are always traced (net/trace.h) */
+  LAM_CHART_GEODESIC_PARALLEL = LAM_CHART_COUNT,
+  LAM_CHART_GEODESIC_POLAR,
+  LAM_CHART_ALL
 } lam_chart;
 extern const char *const lam_chart_names[]; /* NULL-terminated */
 
@@ -44,6 +48,11 @@ typedef struct lam_surface_kind {
   /* The number of sectors around the chart's origin when the chart is branched there (6 for a monkey saddle); 0 or a
    * NULL function: not branched. */
   int (*sectors)(const void *data, lam_chart chart);
+  /* The surface as a spline, before it is placed; NULL: it is none. */
+  const lam_spline_surface *(*spline)(const void *data);
+  /* How it was computed and what was measured of it, for the report (name is set); NULL: nothing to tell. Measures must
+   * not come from the quadrature that was minimized with. */
+  void (*report)(lam_arena *arena, const void *data, lam_stage *stage);
 } lam_surface_kind;
 
 struct lam_surface {

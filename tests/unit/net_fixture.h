@@ -130,7 +130,7 @@ static inline lam_mesh net_sampled(net_fixture *f, const char *surface, const ch
   net_no_errors(f, surface);
   lam_surface_place placing = {0};
   lam_mesh mesh = {0};
-  lam_net_start(f->arena, &made, chart, (int[2]){n, m}, hole, &placing, (lam_place){0}, &f->errors, &mesh);
+  lam_net_start(f->arena, &made, chart, (int[2]){n, m}, hole, &placing, (lam_place){0}, &f->errors, &mesh, NULL);
   return mesh;
 }
 
