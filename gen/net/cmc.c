@@ -1,3 +1,4 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 typedef struct params {
@@ -7,16 +8,34 @@ typedef struct params {
   bool angle_given;
 } params;
 
+static void check(lam_scope *scope, const params *p, lam_place place) {
+  if (!p->isogonal && p->angle_given)
+    lam_error_add(scope->errors, place, "net.angle", "given together with isogonal: no; expected one of the two");
+}
+
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
   lam_spherical_star_params spheres = {p->radius, LAM_SPHERES_COMMON};
   lam_con_spherical_star.add(scope, &spheres, 1, place);
-  if (!p->isogonal && p->angle_given)
-    lam_error_add(scope->errors, place, "net.angle", "given together with isogonal: no; expected one of the two");
+  check(scope, p, place);
   if (!p->isogonal) return;
   long skipped = scope->skipped;
   lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .tangents = LAM_TANGENTS_CIRCLE}, 1, place);
   scope->skipped = skipped; /* the same vertices */
+}
+
+/* Centers are unknowns here: one that is very far away has no digits left for the sphere. */
+static const double farthest = 1e4; /* mean edges */
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  const params *p = given;
+  check(scope, p, place);
+  if (fabs(p->radius) > farthest * scope->unit)
+    lam_error_add(scope->errors, place, "net.radius",
+                  "%g m; with solver: thesis expected at most %g m, ten thousand mean edges", p->radius,
+                  farthest * scope->unit);
+  else
+    lam_thesis_equal_spheres(scope, p->radius / scope->unit, p->isogonal ? p->angle : NAN);
 }
 
 static double target_angle(const void *given) {
@@ -54,11 +73,17 @@ static const lam_key keys[] = {
      .doc = "That crossing angle. Only 90 deg makes the mean curvature constant."},
     {0}};
 
-static const char *const measures[] = {"star_curvature",  "curvature_spread",
-                                       "star_sphericity", "circle_angle_deviation",
-                                       "crossing_angle",  "edge_length",
-                                       "shortest_edge",   "foldovers",
-                                       "flatness",        NULL};
+static const char *const measures[] = {"star_curvature",
+                                       "curvature_spread",
+                                       "star_sphericity",
+                                       "mean_curvature",
+                                       "circle_angle_deviation",
+                                       "crossing_angle",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_cmc = {
     .head =
@@ -74,13 +99,15 @@ const lam_net_kind lam_net_cmc = {
            "Inflated roofs and membranes under even pressure have this shape.",
     .trouble =
         "Start near a surface of constant mean curvature, from the diagonals of an isothermic (square) curvature "
-        "net: unduloid and nodoid give one. A radius of the wrong sign turns the surface inside out or ends in "
-        "a stall: star_curvature tells the sign at the start. Closed rings and fixed boundaries prescribe much; "
-        "when the report says stalled, leave the radius out or free the boundary. Drag boundaries, not rings "
-        "inside: those become jagged.",
+        "net: unduloid, nodoid and catenoid give one. The radius grows with the design: to get another one, leave "
+        "it out, read star_curvature (1 / radius, with its sign) and change size by as much; a radius a quarter "
+        "off, or of the wrong sign, squeezes edges until the net collapses or stalls. Closed rings and fixed "
+        "boundaries prescribe much: leave the radius out or free the boundary then. Drag boundaries, not rings "
+        "inside, which become jagged.",
     .chart = LAM_CHART_DIAGONAL,
     .schedule = {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
     .guide = {LAM_FAIR_POSITION, .3, 0},
     .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
     .measures = measures,
     .target_angle = target_angle};

@@ -1,3 +1,4 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 typedef enum developable { DEVELOPABLE_NO, DEVELOPABLE_ONE_LINE, DEVELOPABLE_THESIS } developable;
@@ -24,6 +25,14 @@ static void constrain(lam_scope *scope, const void *given, lam_place place) {
   if (p->widths != WIDTHS_FREE)
     lam_con_strip_widths.add(scope, &(lam_strip_params){p->geodesics, p->widths - WIDTHS_EQUAL}, 1, place);
   if (p->isometric) lam_con_edge_length.add(scope, &(lam_edge_length_params){0, false}, 1, place);
+}
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  const params *p = given;
+  if (p->developable != DEVELOPABLE_NO || p->widths != WIDTHS_FREE || p->isometric)
+    lam_error_add(scope->errors, place, "net.solver",
+                  "thesis together with developable, widths or isometric; expected lamella, or none of these keys");
+  lam_thesis_geodesic_parallel(scope, p->geodesics, p->border);
 }
 
 static const lam_key keys[] = {
@@ -97,4 +106,5 @@ const lam_net_kind lam_net_geodesic_parallel = {
     .schedule = {.fairness = 0, .hold = 3, .decay = .464, .floor = 9e-5, .tolerance = 1e-12, .max_iterations = 100},
     .guide = {LAM_FAIR_POSITION, 0, 0},
     .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
     .measures = measures};

@@ -1,7 +1,17 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   lam_con_angle.add(scope, given, 1, place);
+}
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  (void)place;
+  const lam_angle_params *p = given;
+  if (p->tangents == LAM_TANGENTS_CIRCLE)
+    lam_thesis_circle_angle(scope, p->angle);
+  else
+    lam_thesis_angle(scope, p->angle, p->border);
 }
 
 static double target_angle(const void *given) { return ((const lam_angle_params *)given)->angle; }
@@ -56,5 +66,6 @@ const lam_net_kind lam_net_isogonal = {
     .schedule = {.fairness = .02, .hold = 3, .decay = .473, .floor = 9e-4, .tolerance = 1e-12, .max_iterations = 100},
     .guide = {LAM_FAIR_DISPLACEMENT, 0, 1},
     .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
     .measures = measures,
     .target_angle = target_angle};

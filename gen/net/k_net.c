@@ -1,3 +1,4 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 typedef struct params {
@@ -8,6 +9,15 @@ typedef struct params {
 static void constrain(lam_scope *scope, const void *given, lam_place place) {
   const params *p = given;
   lam_con_planar_star.add(scope, &(lam_star_params){.border = p->border}, 1, place);
+  lam_edge_length_add(scope, "edge-length", LAM_HARD, 1,
+                      (lam_edge_length_params){.length = p->length > 0 ? p->length : scope->unit});
+}
+
+/* The square of a length is quadratic as it is. */
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  (void)place;
+  const params *p = given;
+  lam_thesis_planar_stars(scope, p->border);
   lam_edge_length_add(scope, "edge-length", LAM_HARD, 1,
                       (lam_edge_length_params){.length = p->length > 0 ? p->length : scope->unit});
 }
@@ -29,8 +39,9 @@ static const lam_key keys[] = {{.name = "length",
                                 .doc = "Vertices of the border take part: their edges are coplanar."},
                                {0}};
 
-static const char *const measures[] = {"star_planarity", "edge_variation", "edge_length", "crossing_angle",
-                                       "shortest_edge",  "foldovers",      "flatness",    NULL};
+static const char *const measures[] = {"star_planarity", "edge_variation", "gauss_curvature",
+                                       "edge_length",    "crossing_angle", "shortest_edge",
+                                       "foldovers",      "flatness",       NULL};
 
 const lam_net_kind lam_net_k_net = {
     .head =
@@ -52,4 +63,5 @@ const lam_net_kind lam_net_k_net = {
     .schedule = {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
     .guide = {LAM_FAIR_POSITION, .3, 0},
     .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
     .measures = measures};

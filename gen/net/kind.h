@@ -43,6 +43,12 @@ typedef enum lam_boundary { LAM_BOUNDARY_FREE, LAM_BOUNDARY_FIXED, LAM_BOUNDARY_
 typedef struct lam_net_source {
   int stage; /* 0: the surface */
   const char *file;
+  int lines;  /* 0: those that the net's kind asks for; else the chart + 1 */
+  bool trace; /* traced even where the surface has the chart in closed form */
+  double at[2];
+  bool at_given;
+  double spacing; /* meters before `size`; 0: as far as the lines reach */
+  int base;       /* geodesic parallels: 0: of a line u = const, 1: of a line v = const */
 } lam_net_source;
 
 typedef struct lam_handle {
@@ -57,7 +63,11 @@ typedef struct lam_reference_keys {
   double weight;
 } lam_reference_keys;
 
+typedef enum lam_method { LAM_METHOD_LAMELLA, LAM_METHOD_THESIS } lam_method;
+
 typedef struct lam_solver_keys {
+  int method; /* lam_method */
+  double epsilon;
   double fairness, closeness, stiffness, tolerance;
   bool fairness_given, closeness_given, stiffness_given, tolerance_given, fair_given;
   int fair; /* lam_fair */
@@ -75,6 +85,7 @@ typedef struct lam_net_common {
   int boundary;         /* lam_boundary */
   lam_list handles;     /* of lam_handle */
   lam_list constraints; /* of lam_row of lam_constraints */
+  lam_list measures;    /* of const char *: for the report, beside the kind's own */
   lam_reference_keys reference;
   bool reference_given;
   lam_solver_keys solver;

@@ -16,6 +16,7 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
+  int levels;  /* coarser nets that were solved before */
   bool let_go; /* handles with release: yes no longer hold */
 } attempt;
 
@@ -76,9 +77,12 @@ static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *star
 static void add_guide(const attempt *a, lam_scope *scope) {
   const lam_solver_keys *keys = &a->job->common->solver;
   lam_guide guide = a->job->kind->guide;
+  if (keys->method == LAM_METHOD_THESIS) guide = (lam_guide){LAM_FAIR_POSITION, 0, 0};
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
   if (keys->stiffness_given) guide.stiffness = keys->stiffness;
+  /* a fine net that starts from a solved coarse one needs less: closeness to it would keep its creases */
+  guide.closeness *= pow(.5, a->levels);
   lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->place);
   if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->place);
   if (guide.stiffness > 0)
@@ -95,6 +99,25 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_guided_smooth(problem, .3);
   lam_problem_positions(problem, positions);
 }
+
+/* The net's own constraints where the vertices are now, in the form of the thesis. */
+static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
+  const lam_net_job *job = a->job;
+  if (job->kind->constrain_thesis) {
+    job->kind->constrain_thesis(scope, job->params, job->place);
+    return;
+  }
+  const char *names = "";
+  for (int i = 0; i < lam_nets.count; i++)
+    if (((const lam_net_kind *)lam_nets.rows[i])->constrain_thesis)
+      names = lam_arena_printf(a->arena, "%s%s%s", names, *names ? ", " : "", lam_nets.rows[i]->name);
+  lam_error_add(a->errors, job->place, "net.solver",
+                "thesis, but %s has no form with auxiliary unknowns; expected lamella, or one of the nets %s",
+                job->kind->head.name, names);
+}
+
+/* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
+static const double thesis_fairness = .01;
 
 /* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
  */
@@ -114,16 +137,19 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   const lam_net_common *common = job->common;
   lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, start);
   lam_scope scope = {problem, a->net, a->unit, a->tree, &a->reference, a->errors, 0};
-  job->kind->constrain(&scope, job->params, job->place);
+  bool thesis = common->solver.method == LAM_METHOD_THESIS;
+  if (!thesis) job->kind->constrain(&scope, job->params, job->place);
   for (int i = 0; i < common->constraints.count; i++) {
     const lam_row *row = (const lam_row *)common->constraints.items + i;
     ((const lam_constraint_kind *)row->head)->add(&scope, row->params, 1, row->place);
   }
   fix_boundary(a, problem, &scope);
   memcpy(problem->x, positions, sizeof *positions * (size_t)problem->vertex_count);
+  if (thesis) constrain_by_thesis(a, &scope); /* auxiliary unknowns start from the vertices' places */
   add_handles(a, &scope, start, share);
   if (job->reference) lam_con_proximity.add(&scope, NULL, common->reference.weight, job->place);
   lam_schedule schedule = job->kind->schedule;
+  if (thesis) schedule.fairness = fmin(schedule.fairness, thesis_fairness);
   if (common->solver.fairness_given) schedule.fairness = common->solver.fairness;
   if (common->solver.tolerance_given) schedule.tolerance = common->solver.tolerance;
   schedule.max_iterations = common->solver.iterations;
@@ -131,8 +157,9 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   if (a->errors->count) return none;
   if (a->let_go) schedule.fairness = 0;
   if (schedule.fairness > 0) add_guide(a, &scope);
-  lam_solution solution = lam_guided_solve(problem, &schedule, job->progress);
-  if (!solution.converged) explain(a->arena, problem, &solution);
+  lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, job->progress)
+                                 : lam_guided_solve(problem, &schedule, job->progress);
+  if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
   return solution;
@@ -192,6 +219,47 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   return true;
 }
 
+static bool listed(const char *const *names, int count, const char *name) {
+  for (int i = 0; i < count; i++)
+    if (strcmp(names[i], name) == 0) return true;
+  return false;
+}
+
+/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
+static const char *const *measure_names(const attempt *a) {
+  static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
+  const lam_list *more = &a->job->common->measures;
+  const char *const *own = a->job->kind->measures;
+  int count = 0;
+  while (own[count]) count++;
+  const char **names = LAM_NEW(a->arena, const char *, count + more->count + 3);
+  for (int i = 0; i < count; i++) names[i] = own[i];
+  for (int i = 0; a->job->reference && i < 2; i++)
+    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
+  for (int i = 0; i < more->count; i++) {
+    const char *name = ((const char *const *)more->items)[i];
+    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
+  }
+  return names;
+}
+
+/* In meters: the reference gets a tree of its own. */
+static void measure(const attempt *a, const lam_vec3 *start, lam_net_result *result) {
+  const lam_net_job *job = a->job;
+  lam_measuring *in = &result->measuring;
+  *in = lam_measuring_of(a->arena, a->net, a->net->mesh.vertices);
+  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
+  if (!isnan(target)) in->target_angle = target;
+  in->start = start;
+  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
+  if (tree) {
+    lam_arena_defer(a->arena, lam_tree_free, tree);
+    in->reference = tree;
+    in->reference_mesh = job->reference;
+  }
+  result->measures = lam_net_measure(in, measure_names(a), &result->measure_count);
+}
+
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result) {
   int n = net->mesh.vertex_count, steps = 1, before = errors->count;
@@ -219,7 +287,8 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
   if (!begin_coarse(&a, start, x, result)) return false;
-  if (result->levels > 0)
+  a.levels = result->levels;
+  if (a.levels > 0)
     steps = 1;
   else if (job->common->solver.smooth)
     smooth(&a, start, x);
@@ -239,10 +308,6 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
-  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
-  if (!isnan(target)) measuring.target_angle = target;
-  measuring.start = begin;
-  result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
+  measure(&a, begin, result);
   return true;
 }

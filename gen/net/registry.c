@@ -5,6 +5,11 @@
 #define NETS(row) \
   row(asymptotic) \
   row(planar_quads) \
+  row(circular) \
+  row(conical) \
+  row(isothermic) \
+  row(s_isothermic) \
+  row(isogonal_molding) \
   row(chebyshev) \
   row(isogonal) \
   row(s_net) \
@@ -15,11 +20,6 @@
   row(voss) \
   row(dog) \
   row(dig) \
-  row(circular) \
-  row(conical) \
-  row(isothermic) \
-  row(s_isothermic) \
-  row(isogonal_molding) \
   row(free)
 /* clang-format on */
 

@@ -1,3 +1,4 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 typedef struct params {
@@ -14,6 +15,16 @@ static void constrain(lam_scope *scope, const void *given, lam_place place) {
   if (p->planar) lam_con_planar_face.add(scope, NULL, 1, place);
   if (p->angle_given)
     lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .tangents = LAM_TANGENTS_CIRCLE}, 1, place);
+  scope->skipped = skipped; /* the same vertices */
+}
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  (void)place;
+  const params *p = given;
+  lam_thesis_spherical_stars(scope);
+  long skipped = scope->skipped;
+  if (p->planar) lam_thesis_planar_faces(scope);
+  if (p->angle_given) lam_thesis_circle_angle(scope, p->angle);
   scope->skipped = skipped; /* the same vertices */
 }
 
@@ -42,16 +53,10 @@ static const lam_key keys[] = {
             "tan^2(angle / 2) everywhere. Left out: angles are free."},
     {0}};
 
-static const char *const measures[] = {"star_sphericity",
-                                       "star_curvature",
-                                       "circle_angle_deviation",
-                                       "crossing_angle",
-                                       "face_planarity",
-                                       "edge_length",
-                                       "shortest_edge",
-                                       "foldovers",
-                                       "flatness",
-                                       NULL};
+static const char *const measures[] = {
+    "star_sphericity",        "principal_deviation", "star_curvature", "curvature_ratio",
+    "circle_angle_deviation", "crossing_angle",      "face_planarity", "edge_length",
+    "shortest_edge",          "foldovers",           "flatness",       NULL};
 
 const lam_net_kind lam_net_s_net = {
     .head = {"s-net", "Principal symmetric net (S-net)",
@@ -66,10 +71,12 @@ const lam_net_kind lam_net_s_net = {
     .trouble = "The start must not follow the principal curvature lines: turn it by about 45 degrees against them (the "
                "diagonals of a principal net). Near umbilics (a sphere's top) any direction will do, and the net may "
                "swirl. planar: yes on a saddle has no solution but a plane or collapsed edges; with an angle as well "
-               "the shape itself changes, by an edge length or so. Look at flatness, shortest_edge and the drift.",
+               "the shape itself changes, by an edge length or so. Look at flatness, shortest_edge and the drift. More "
+               "closeness (solver) keeps more of the start's height and leaves ripples; less smooths both away.",
     .chart = LAM_CHART_DIAGONAL,
     .schedule = {.fairness = .02, .hold = 3, .decay = .473, .floor = 9e-4, .tolerance = 1e-12, .max_iterations = 100},
-    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .guide = {LAM_FAIR_POSITION, .15, 0},
     .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
     .measures = measures,
     .target_angle = target_angle};
