@@ -108,13 +108,15 @@ build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
 	build/lamella build $< -o build/demo --deps build/demo.d --set render.quality=middle >build/demo.txt || { cat build/demo.txt; exit 1; }
 -include build/demo.d
 
-# ---- pictures for the README; minutes each ----
+# ---- pictures for the README: minutes each for the large ones, less than one for all others ----
+large := asymptotic-pavilion constant-ratio-vault enneper-model hypar-roof
 renders: setup-pics
 	@$(MAKE) --no-print-directory $(jobs) $(gallery)
 renders/gallery/%.jpg: build/models/%/report.json
 	@echo "  render $*"
 	@mkdir -p $(@D)
-	@build/lamella build templates/designs/$*.yaml -o build/models/$* --only png --quiet
+	@build/lamella build templates/designs/$*.yaml -o build/models/$* --only pov,png --quiet \
+	  $(if $(filter $*,$(large)),,--set render.quality=thumb --set 'render.size=[640,360]')
 	@pngtopnm build/models/$*/$*.png | cjpeg -quality 88 -optimize >$@.part && mv $@.part $@
 
 # ---- tests ----

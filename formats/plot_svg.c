@@ -54,15 +54,16 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   const lam_map *map = &model->maps[i];
   const lam_measure *m = &map->summary;
   const char *title = model->title && *model->title ? model->title : model->name;
+  const char *heading = lam_arena_printf(out->arena, "%s: %s", title, m->name);
   lam_color_scale scale = lam_map_scale(map);
   lam_text_printf(out,
                   "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
                   "width=\"%gmm\" height=\"%gmm\" viewBox=\"0 0 %g %g\" font-family=\"Helvetica, Arial, sans-serif\" "
                   "fill=\"#202020\">\n<title>",
                   page_width, page_height, page_width, page_height);
-  lam_xml_escaped(out, lam_arena_printf(out->arena, "%s: %s", title, m->name));
+  lam_xml_escaped(out, heading);
   lam_text_printf(out, "</title>\n<rect width=\"%g\" height=\"%g\" fill=\"#ffffff\"/>\n", page_width, page_height);
-  lam_plot_text(out, 8, 10, 4.4, "start", lam_arena_printf(out->arena, "%s: %s", title, m->name));
+  lam_plot_text(out, 8, 10, fmin(4.4, 300 / (double)strlen(heading)), "start", heading); /* long ones are smaller */
   add_paragraph(out, 8, 15, 2.8, 125, map->doc);
   lam_plot_view(out, model->net, map, &scale, view_box);
   if (m->count > 0 && isfinite(m->mean)) {
