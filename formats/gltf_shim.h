@@ -4,6 +4,7 @@
 #define LAM_FORMATS_GLTF_SHIM_H
 
 #include "core/error.h"
+#include <stdbool.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -13,6 +14,7 @@ typedef struct lam_gltf_material {
   const char *name;
   double color[3]; /* linear RGB */
   double metallic, roughness;
+  bool two_sided;
 } lam_gltf_material;
 
 /* Triangles with normals, or lines when normals is NULL. */
@@ -24,7 +26,17 @@ typedef struct lam_gltf_mesh {
   const float *normals;   /* 3 per vertex, unit; or NULL */
   int index_count;
   const int *indices;
+  /* Morph targets: displacements of positions and, with normals, of normals; 3 per vertex. May be none. */
+  int target_count;
+  const float *const *position_targets, *const *normal_targets;
 } lam_gltf_mesh;
+
+/* Every node whose mesh has morph targets runs through them: the mesh itself at 0, target k at (k + 1)
+ * seconds_per_state, changing evenly in between, then back to the beginning. */
+typedef struct lam_gltf_animation {
+  const char *name; /* NULL: no animation */
+  double seconds_per_state;
+} lam_gltf_animation;
 
 /* A text, or a number when text is NULL. */
 typedef struct lam_gltf_extra {
@@ -47,6 +59,7 @@ typedef struct lam_gltf_scene {
   const lam_gltf_material *materials;
   const lam_gltf_mesh *meshes;
   const lam_gltf_node *nodes;
+  lam_gltf_animation animation;
 } lam_gltf_scene;
 
 /* The bytes of a .glb file: *bytes is freed with free(). LAM_OK, LAM_NO_MEMORY or LAM_FAILED (then *bytes is NULL). The

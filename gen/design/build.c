@@ -138,11 +138,24 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
   if (result.levels) lam_stage_note(p->arena, stage, "%d coarser nets solved first", result.levels);
+  p->model->frame_count = result.frame_count;
+  p->model->frames = result.frames;
   if (result.skipped) lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
   if (!result.converged && result.solution.worst)
     lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);
   end_stage(p, stage);
   return true;
+}
+
+/* The frames stand where the result does. */
+static void lift_frames(pipeline *p, double lift) {
+  lam_vec3 **lifted = LAM_NEW(p->arena, lam_vec3 *, p->model->frame_count);
+  for (int k = 0; k < p->model->frame_count; k++) {
+    lifted[k] = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
+    for (int v = 0; v < p->net->mesh.vertex_count; v++)
+      lifted[k][v] = lam_add(p->model->frames[k][v], lam_v3(0, 0, lift));
+  }
+  p->model->frames = (const lam_vec3 *const *)lifted;
 }
 
 static bool make_net(pipeline *p) {
@@ -160,7 +173,11 @@ static bool make_net(pipeline *p) {
     if (!solve_net(p, kind, common)) return false;
     const lam_surface_place *placing = design->surface.head ? design->surface.common : NULL;
     bool held = common->handles.count > 0 || common->boundary != LAM_BOUNDARY_FREE || common->reference_given;
-    if (placing && placing->ground && !held) p->placed.lift += lam_mesh_ground(&p->net->mesh);
+    if (placing && placing->ground && !held) {
+      double lift = lam_mesh_ground(&p->net->mesh);
+      p->placed.lift += lift;
+      lift_frames(p, lift);
+    }
   }
   p->normals = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
   lam_net_normals(p->net, p->net->mesh.vertices, p->normals);

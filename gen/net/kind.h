@@ -93,6 +93,7 @@ typedef struct lam_net_common {
   lam_reference_keys reference;
   bool reference_given;
   lam_solver_keys solver;
+  int animate;
   double noise;
   int seed;
 } lam_net_common;

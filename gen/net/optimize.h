@@ -22,7 +22,9 @@ typedef struct lam_net_result {
   long skipped; /* irregular vertices that constraints on regular stars left out */
   int measure_count;
   lam_measure *measures;
-  double drift; /* largest displacement from the start, in mean edges */
+  int frame_count;               /* of `animate`: at most so many, from the start to the solution */
+  const lam_vec3 *const *frames; /* positions of all vertices, meters */
+  double drift;                  /* largest displacement from the start, in mean edges */
 } lam_net_result;
 
 /* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go to errors; false
