@@ -10,8 +10,8 @@
 
 namespace {
 
-/* The one buffer: vertices (positions and normals, 12 bytes each), then 32-bit indices, then 16-bit indices, then
- * single numbers of animations, each a buffer view. */
+/* The one buffer: vertices (positions, normals and colors, 12 bytes each), then 32-bit indices, then 16-bit indices,
+ * then single numbers of animations, each a buffer view. */
 struct Packer {
   tinygltf::Model model;
   std::vector<unsigned char> vertices, wide, narrow, scalars;
@@ -76,6 +76,7 @@ struct Packer {
     tinygltf::Primitive p;
     p.attributes["POSITION"] = positions(in.positions, in.vertex_count);
     if (in.normals) p.attributes["NORMAL"] = vectors(in.normals, in.vertex_count);
+    if (in.colors) p.attributes["COLOR_0"] = vectors(in.colors, in.vertex_count);
     p.indices = indices(in.indices, in.index_count, in.vertex_count);
     p.material = in.material;
     p.mode = in.normals ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_LINE;
@@ -148,7 +149,7 @@ tinygltf::Material material_of(const lam_gltf_material &in) {
   m.pbrMetallicRoughness.baseColorFactor = {in.color[0], in.color[1], in.color[2], 1};
   m.pbrMetallicRoughness.metallicFactor = in.metallic;
   m.pbrMetallicRoughness.roughnessFactor = in.roughness;
-  m.doubleSided = in.two_sided;
+  m.doubleSided = in.double_sided;
   return m;
 }
 

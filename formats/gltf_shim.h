@@ -14,16 +14,17 @@ typedef struct lam_gltf_material {
   const char *name;
   double color[3]; /* linear RGB */
   double metallic, roughness;
-  bool two_sided;
+  bool double_sided;
 } lam_gltf_material;
 
-/* Triangles with normals, or lines when normals is NULL. */
+/* Triangles with normals, or lines when normals is NULL. Colors multiply the material's. */
 typedef struct lam_gltf_mesh {
   const char *name;
   int material;
   int vertex_count;
   const float *positions; /* 3 per vertex */
   const float *normals;   /* 3 per vertex, unit; or NULL */
+  const float *colors;    /* 3 per vertex, linear RGB; or NULL */
   int index_count;
   const int *indices;
   /* Morph targets: displacements of positions and, with normals, of normals; 3 per vertex. May be none. */

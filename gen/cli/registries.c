@@ -58,6 +58,22 @@ static lam_listed *collect_nets(lam_arena *arena, const lam_section *section, in
   return listed;
 }
 
+static lam_listed *collect_measures(lam_arena *arena, const lam_section *section, int *count) {
+  (void)section;
+  static const char *const places[] = {[LAM_ON_VERTICES] = "A value per vertex",
+                                       [LAM_ON_EDGES] = "A value per edge",
+                                       [LAM_ON_FACES] = "A value per face",
+                                       [LAM_ON_NET] = "One value for the net"};
+  lam_listed *listed = LAM_NEW(arena, lam_listed, lam_measure_count);
+  for (int i = 0; i < lam_measure_count; i++) {
+    const lam_measure_kind *kind = lam_measures[i];
+    const char *facts = lam_arena_printf(arena, "%s%s%s.", places[kind->on], *kind->unit ? ", in " : "", kind->unit);
+    listed[i] = (lam_listed){.name = kind->name, .title = kind->doc, .doc = facts};
+  }
+  *count = lam_measure_count;
+  return listed;
+}
+
 static lam_listed *collect_materials(lam_arena *arena, const lam_section *section, int *count) {
   (void)section;
   lam_listed *listed = LAM_NEW(arena, lam_listed, lam_material_count);
@@ -130,6 +146,10 @@ const lam_section lam_sections[] = {
      .usage = "net: {..., constraints: [{kind: %s",
      .registry = &lam_constraints,
      .collect = collect_rows},
+    {.name = "measures",
+     .noun = "measure",
+     .doc = "What is measured on a net: lamella measure; net: {measures: [NAME]}; plots: [NAME].",
+     .collect = collect_measures},
     {.name = "parts",
      .noun = "part",
      .doc = "What is made from the net.",

@@ -5,6 +5,7 @@
 #include "fab/workshop.h"
 #include "net/coarsen.h"
 #include "net/diagonalize.h"
+#include "net/map.h"
 #include "net/optimize.h"
 #include "net/start.h"
 #include "net/trace.h"
@@ -25,6 +26,7 @@ typedef struct pipeline {
   lam_model *model;
   lam_surface surface;
   lam_net *net;
+  lam_measuring measuring; /* of the net */
   lam_vec3 *normals;
   lam_siting placed; /* of the surface */
   int stage_count;
@@ -149,12 +151,12 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   const lam_design *design = p->design;
   lam_stage *stage = begin_stage(p, "net");
   lam_net_job job = {kind, design->net.params, common, NULL, design->net.place, p->progress};
-  lam_trimesh reference;
   if (common->reference_given && common->reference.file) {
+    lam_trimesh *reference = LAM_NEW(p->arena, lam_trimesh, 1);
     if (!p->loader || !p->loader->triangles(p->loader->context, p->arena, common->reference.file, design->net.place,
-                                            p->errors, &reference))
+                                            p->errors, reference))
       return false;
-    job.reference = &reference;
+    job.reference = reference;
   }
   lam_net_result result;
   if (!lam_net_optimize(p->arena, &job, p->net, p->errors, &result)) return false;
@@ -165,6 +167,7 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   stage->residual = result.solution.residual;
   stage->measure_count = result.measure_count;
   stage->measures = result.measures;
+  p->measuring = result.measuring;
   lam_stage_note(p->arena, stage, "%d vertices, %d faces, %d unknowns, %d equations", p->net->mesh.vertex_count,
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
@@ -241,6 +244,25 @@ static void keep_spline(pipeline *p) {
   to->name = "surface";
   p->model->surface_count = 1;
   p->model->surfaces = to;
+}
+
+/* ---- color maps ---- */
+
+static bool make_maps(pipeline *p) {
+  const lam_list *plots = &p->design->plots;
+  int before = p->errors->count;
+  lam_place place = {.file = p->design->path};
+  lam_measures_check(plots, true, place, "plots", p->errors);
+  if (plots->count && !p->net)
+    lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
+  if (p->errors->count > before) return false;
+  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
+  if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
+  for (int i = 0; i < plots->count; i++)
+    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
+  p->model->map_count = plots->count;
+  p->model->maps = maps;
+  return true;
 }
 
 /* ---- where it stands ---- */
@@ -330,7 +352,7 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
   if (errors->count > before) return false;
   report_surface(&p);
-  if (!make_net(&p)) return false;
+  if (!make_net(&p) || !make_maps(&p)) return false;
   keep_spline(&p);
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =

@@ -25,7 +25,8 @@ static const lam_key keys[] = {{.name = "border",
                                 .offset = offsetof(params, boundary_length),
                                 .count = 1,
                                 .initial = "no",
-                                .doc = "Every side of the boundary keeps its length."},
+                                .doc = "Every side of the boundary keeps its length. Opposite sides of such a net are "
+                                       "equally long: a start whose sides differ cannot keep them."},
                                {0}};
 
 static const char *const measures[] = {"angle_spread",   "opposite_angle",   "orthogonality",    "straightness_u",

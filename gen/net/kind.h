@@ -93,6 +93,7 @@ typedef struct lam_net_common {
   int boundary;         /* lam_boundary */
   lam_list handles;     /* of lam_handle */
   lam_list constraints; /* of lam_row of lam_constraints */
+  lam_list measures;    /* of const char *: for the report, beside the kind's own */
   lam_reference_keys reference;
   bool reference_given;
   lam_solver_keys solver;

@@ -18,6 +18,7 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
+  int levels;          /* coarser nets that were solved before */
   bool let_go;         /* handles with release: yes no longer hold */
   lam_frames *frames;  /* NULL: none are kept */
   bool frame_per_step; /* of the handles; else per iteration */
@@ -72,6 +73,8 @@ static void add_guide(const attempt *a, lam_scope *scope) {
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
   if (keys->stiffness_given) guide.stiffness = keys->stiffness;
+  /* a fine net that starts from a solved coarse one needs less: closeness to it would keep its creases */
+  guide.closeness *= pow(.5, a->levels);
   lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->place);
   if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->place);
   if (guide.stiffness > 0)
@@ -87,6 +90,17 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_con_fairness.add(&scope, &(lam_fairness_params){LAM_FAIR_POSITION}, 1, a->job->place);
   lam_guided_smooth(problem, .3);
   lam_problem_positions(problem, positions);
+}
+
+/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
+ */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
+                                        equations, solution->unknowns);
 }
 
 /* The net's own constraints where the vertices are now, in the form of the thesis. */
@@ -107,17 +121,6 @@ static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
 
 /* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
 static const double thesis_fairness = .01;
-
-/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
- */
-static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
-  int equations = 0;
-  for (int b = 0; b < problem->block_count; b++)
-    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
-  if (equations > solution->unknowns)
-    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
-                                        equations, solution->unknowns);
-}
 
 /* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
  * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
@@ -216,6 +219,47 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   return true;
 }
 
+static bool listed(const char *const *names, int count, const char *name) {
+  for (int i = 0; i < count; i++)
+    if (strcmp(names[i], name) == 0) return true;
+  return false;
+}
+
+/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
+static const char *const *measure_names(const attempt *a) {
+  static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
+  const lam_list *more = &a->job->common->measures;
+  const char *const *own = a->job->kind->measures;
+  int count = 0;
+  while (own[count]) count++;
+  const char **names = LAM_NEW(a->arena, const char *, count + more->count + 3);
+  for (int i = 0; i < count; i++) names[i] = own[i];
+  for (int i = 0; a->job->reference && i < 2; i++)
+    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
+  for (int i = 0; i < more->count; i++) {
+    const char *name = ((const char *const *)more->items)[i];
+    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
+  }
+  return names;
+}
+
+/* In meters: the reference gets a tree of its own. */
+static void measure(const attempt *a, const lam_vec3 *start, lam_net_result *result) {
+  const lam_net_job *job = a->job;
+  lam_measuring *in = &result->measuring;
+  *in = lam_measuring_of(a->arena, a->net, a->net->mesh.vertices);
+  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
+  if (!isnan(target)) in->target_angle = target;
+  in->start = start;
+  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
+  if (tree) {
+    lam_arena_defer(a->arena, lam_tree_free, tree);
+    in->reference = tree;
+    in->reference_mesh = job->reference;
+  }
+  result->measures = lam_net_measure(in, measure_names(a), &result->measure_count);
+}
+
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result) {
   int n = net->mesh.vertex_count, steps = 1, before = errors->count;
@@ -244,7 +288,8 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
   if (!begin_coarse(&a, start, x, result)) return false;
-  if (result->levels > 0)
+  a.levels = result->levels;
+  if (a.levels > 0)
     steps = 1;
   else if (job->common->solver.smooth)
     smooth(&a, start, x);
@@ -273,10 +318,6 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
   if (a.frames) result->frames = lam_frames_finish(arena, &frames, x, &result->frame_count);
-  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
-  if (!isnan(target)) measuring.target_angle = target;
-  measuring.start = begin;
-  result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
+  measure(&a, begin, result);
   return true;
 }

@@ -24,6 +24,7 @@ typedef struct lam_net_result {
   lam_measure *measures;
   int frame_count;               /* of `animate`: at most so many, from the start to the solution */
   const lam_vec3 *const *frames; /* positions of all vertices, meters */
+  lam_measuring measuring;       /* what they were measured with; reference_mesh is the caller's */
   double drift;                  /* largest displacement from the start, in mean edges */
 } lam_net_result;
 
