@@ -5,18 +5,13 @@
 
 extern const lam_format lam_format_obj, lam_format_stl, lam_format_scad, lam_format_dxf, lam_format_svg,
     lam_format_gltf, lam_format_bom, lam_format_nodes, lam_format_assembly, lam_format_pov, lam_format_png,
-    lam_format_report, lam_format_surface, lam_format_step, lam_format_iges;
+    lam_format_report, lam_format_surface, lam_format_step, lam_format_iges, lam_format_plot, lam_format_plot_gltf;
 
 const lam_format *const lam_formats[] = {
     &lam_format_report, &lam_format_obj,  &lam_format_stl,     &lam_format_scad,  &lam_format_dxf,
     &lam_format_svg,    &lam_format_gltf, &lam_format_bom,     &lam_format_nodes, &lam_format_assembly,
     &lam_format_pov,    &lam_format_png,  &lam_format_surface, &lam_format_step,  &lam_format_iges,
-    lam_format_report, lam_format_plot, lam_format_plot_gltf;
-
-const lam_format *const lam_formats[] = {
-    &lam_format_report, &lam_format_obj,  &lam_format_stl,  &lam_format_scad,      &lam_format_dxf,
-    &lam_format_svg,    &lam_format_gltf, &lam_format_bom,  &lam_format_nodes,     &lam_format_assembly,
-    &lam_format_pov,    &lam_format_png,  &lam_format_plot, &lam_format_plot_gltf,
+    &lam_format_plot,   &lam_format_plot_gltf,
 };
 const int lam_format_count = sizeof lam_formats / sizeof *lam_formats;
 
