@@ -84,7 +84,7 @@ typedef struct lam_fairness_params {
   int of; /* lam_fair */
 } lam_fairness_params;
 typedef struct lam_handle_params {
-  int vertex[2]; /* grid position, or {index, -1} */
+  lam_list vertex; /* of int: the index comes first */
   double to[3];  /* meters */
 } lam_handle_params;
 

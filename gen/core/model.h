@@ -208,7 +208,7 @@ typedef struct lam_picture {
   const char *setting; /* a file of templates/pov without its ending */
   const char *view;    /* a view that the setting knows, or "auto" */
   int width, height;
-  const char *quality; /* an entry of render.ini: draft, golden, final, print */
+  const char *quality; /* an entry of render.ini */
 } lam_picture;
 
 typedef struct lam_model {

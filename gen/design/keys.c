@@ -10,7 +10,7 @@
 #define IN_SHEETS(member) offsetof(lam_sheet_keys, member)
 
 static const char *const languages[] = {"1", NULL};
-const char *const lam_qualities[] = {"draft", "golden", "mask", "middle", "final", "exact", "print", NULL};
+const char *const lam_qualities[] = {"draft", "golden", "mask", "thumb", "middle", "final", "exact", "print", NULL};
 
 static const lam_key render_keys[] = {
     {.name = "setting",
@@ -40,7 +40,8 @@ static const lam_key render_keys[] = {
         .count = 1,
         .initial = "final",
         .choices = lam_qualities,
-        .doc = "A section of templates/pov/render.ini: draft takes seconds and has no indirect light, middle a minute, "
+        .doc = "A section of templates/pov/render.ini: draft takes seconds and has no indirect light, thumb (for small "
+               "pictures) and middle a minute, "
                "final "
                "minutes, print longer; exact is final with the same pixels every time; golden and mask (a flat color "
                "per part) "

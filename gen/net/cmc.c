@@ -73,11 +73,17 @@ static const lam_key keys[] = {
      .doc = "That crossing angle. Only 90 deg makes the mean curvature constant."},
     {0}};
 
-static const char *const measures[] = {"star_curvature",  "curvature_spread",
-                                       "star_sphericity", "circle_angle_deviation",
-                                       "crossing_angle",  "edge_length",
-                                       "shortest_edge",   "foldovers",
-                                       "flatness",        NULL};
+static const char *const measures[] = {"star_curvature",
+                                       "curvature_spread",
+                                       "star_sphericity",
+                                       "mean_curvature",
+                                       "circle_angle_deviation",
+                                       "crossing_angle",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_cmc = {
     .head =
@@ -93,10 +99,11 @@ const lam_net_kind lam_net_cmc = {
            "Inflated roofs and membranes under even pressure have this shape.",
     .trouble =
         "Start near a surface of constant mean curvature, from the diagonals of an isothermic (square) curvature "
-        "net: unduloid and nodoid give one. A radius of the wrong sign turns the surface inside out or ends in "
-        "a stall: star_curvature tells the sign at the start. Closed rings and fixed boundaries prescribe much; "
-        "when the report says stalled, leave the radius out or free the boundary. Drag boundaries, not rings "
-        "inside: those become jagged.",
+        "net: unduloid, nodoid and catenoid give one. The radius grows with the design: to get another one, leave "
+        "it out, read star_curvature (1 / radius, with its sign) and change size by as much; a radius a quarter "
+        "off, or of the wrong sign, squeezes edges until the net collapses or stalls. Closed rings and fixed "
+        "boundaries prescribe much: leave the radius out or free the boundary then. Drag boundaries, not rings "
+        "inside, which become jagged.",
     .chart = LAM_CHART_DIAGONAL,
     .schedule = {.fairness = 0, .hold = 0, .decay = .5, .floor = 1e-3, .tolerance = 1e-12, .max_iterations = 100},
     .guide = {LAM_FAIR_POSITION, .3, 0},

@@ -39,8 +39,9 @@ static const lam_key keys[] = {{.name = "length",
                                 .doc = "Vertices of the border take part: their edges are coplanar."},
                                {0}};
 
-static const char *const measures[] = {"star_planarity", "edge_variation", "edge_length", "crossing_angle",
-                                       "shortest_edge",  "foldovers",      "flatness",    NULL};
+static const char *const measures[] = {"star_planarity", "edge_variation", "gauss_curvature",
+                                       "edge_length",    "crossing_angle", "shortest_edge",
+                                       "foldovers",      "flatness",       NULL};
 
 const lam_net_kind lam_net_k_net = {
     .head =

@@ -1,4 +1,4 @@
-#include "net/kind.h"
+#include "net/handles.h"
 
 static const char *const stages[] = {"surface", NULL};
 static const char *const line_choices[] = {"auto",     "natural",           "asymptotic",     "principal",
@@ -64,34 +64,6 @@ static const lam_key source_keys[] = {
      .initial = "u",
      .choices = base_choices,
      .doc = "geodesic-parallel: the geodesics start from the line of constant u or of constant v through `at`."},
-    {0}};
-
-static const lam_key handle_keys[] = {
-    {.name = "vertex",
-     .type = LAM_KEY_INTEGER,
-     AT(lam_handle, vertex),
-     .count = 2,
-     .doc = "Grid position [i, j]; [index, -1] on a mesh from a file or around a flat point."},
-    {.name = "to",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     AT(lam_handle, to),
-     .count = 3,
-     .doc = "Where the vertex has to be."},
-    {.name = "steps",
-     .type = LAM_KEY_INTEGER,
-     AT(lam_handle, steps),
-     .count = 1,
-     .initial = "1",
-     .min = 1,
-     .max = 1000,
-     .doc = "The handle is moved there in this many steps; the net is solved after each."},
-    {.name = "release",
-     .type = LAM_KEY_FLAG,
-     AT(lam_handle, release),
-     .count = 1,
-     .initial = "no",
-     .doc = "The handle lets go at the end, and the net comes to rest where its constraints allow."},
     {0}};
 
 static const lam_key reference_keys[] = {{.name = "file",
@@ -250,9 +222,9 @@ const lam_key lam_net_common_keys[] = {
      AT(lam_net_common, handles),
      .count = 0,
      .initial = "[]",
-     .keys = handle_keys,
+     .keys = lam_handle_keys,
      .size = sizeof(lam_handle),
-     .doc = "Vertices that have to be at given places."},
+     .doc = "Vertices and sides that have to be at given places."},
     {.name = "constraints",
      .type = LAM_KEY_ROW,
      AT(lam_net_common, constraints),

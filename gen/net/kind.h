@@ -52,10 +52,15 @@ typedef struct lam_net_source {
 } lam_net_source;
 
 typedef struct lam_handle {
-  int vertex[2];
-  double to[3];
+  int vertex[2]; /* {index, -1} */
+  double to[3];  /* meters */
   int steps;
   bool release;
+  /* As the design gives it (net/handles.h); with nothing of this, vertex and to are meant. */
+  lam_list index, goal; /* of int; of double */
+  double at[3], by[3];
+  bool at_given, by_given, side_given;
+  int side, degree;
 } lam_handle;
 
 typedef struct lam_reference_keys {

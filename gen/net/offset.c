@@ -40,21 +40,25 @@ double lam_net_mirrored_normals(lam_arena *arena, const lam_net *net, const lam_
   lam_vec3 *sum = LAM_NEW(arena, lam_vec3, n);
   lam_net_normals(net, x, sum);
   for (int v = 0; v < n; v++) parent[v] = -1;
-  order[reached++] = 0;
-  parent[0] = 0;
-  for (int i = 0; i < reached; i++)
-    for (int k = net->ring_start[order[i]]; k < net->ring_start[order[i] + 1]; k++)
-      if (parent[net->ring[k]] < 0) {
-        parent[net->ring[k]] = order[i];
-        order[reached++] = net->ring[k];
-      }
-  for (int i = reached - 1; i > 0; i--) {
-    int v = order[i], up = parent[v];
-    sum[up] = lam_add(sum[up], mirrored(x, v, up, sum[v]));
+  for (int root = 0; root < n; root++) {
+    if (parent[root] >= 0) continue;
+    parent[root] = root;
+    order[reached++] = root;
+    for (int i = reached - 1; i < reached; i++)
+      for (int k = net->ring_start[order[i]]; k < net->ring_start[order[i] + 1]; k++)
+        if (parent[net->ring[k]] < 0) {
+          parent[net->ring[k]] = order[i];
+          order[reached++] = net->ring[k];
+        }
   }
-  normals[0] = lam_unit(sum[0]);
-  for (int i = 1; i < reached; i++)
-    normals[order[i]] = lam_unit(mirrored(x, parent[order[i]], order[i], normals[parent[order[i]]]));
+  for (int i = n - 1; i >= 0; i--) {
+    int v = order[i], up = parent[v];
+    if (up != v) sum[up] = lam_add(sum[up], mirrored(x, v, up, sum[v]));
+  }
+  for (int i = 0; i < n; i++) {
+    int v = order[i], up = parent[v];
+    normals[v] = lam_unit(up == v ? sum[v] : mirrored(x, up, v, normals[up]));
+  }
   double mismatch = 0;
   for (int e = 0; e < net->edge_count; e++) {
     const int *v = net->edges[e].vertex;

@@ -1,4 +1,5 @@
 #include "net/optimize.h"
+#include "net/handles.h"
 #include "net/measure.h"
 #include "net/multilevel.h"
 
@@ -32,18 +33,6 @@ static void prepare_reference(attempt *a) {
   else
     lam_arena_defer(a->arena, lam_tree_free, tree);
   a->tree = tree;
-}
-
-/* Grid position or index of a handle; -1 with an error when there is no such vertex. */
-static int handle_vertex(const attempt *a, const lam_handle *handle) {
-  int n = a->net->mesh.vertex_count, columns = a->job->common->grid[1] + 1, i = handle->vertex[0],
-      j = handle->vertex[1];
-  bool is_grid = !a->job->common->from.file && n == (a->job->common->grid[0] + 1) * columns;
-  int v = j < 0 ? i : is_grid && j < columns ? i * columns + j : -1;
-  if (v >= 0 && v < n) return v;
-  lam_error_add(a->errors, a->job->place, "net.handles", "vertex [%d, %d] does not exist; expected %s%d vertices", i, j,
-                is_grid ? "a position on the grid, or [index, -1], of " : "[index, -1] of ", n);
-  return -1;
 }
 
 static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scope) {
@@ -100,6 +89,17 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_problem_positions(problem, positions);
 }
 
+/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
+ */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
+                                        equations, solution->unknowns);
+}
+
 /* The net's own constraints where the vertices are now, in the form of the thesis. */
 static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
   const lam_net_job *job = a->job;
@@ -118,17 +118,6 @@ static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
 
 /* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
 static const double thesis_fairness = .01;
-
-/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
- */
-static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
-  int equations = 0;
-  for (int b = 0; b < problem->block_count; b++)
-    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
-  if (equations > solution->unknowns)
-    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
-                                        equations, solution->unknowns);
-}
 
 /* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
  * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
@@ -271,15 +260,16 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     return false;
   }
   prepare_reference(&a);
-  const lam_list *handles = &job->common->handles;
+  lam_net_common common = *job->common;
+  lam_net_job resolved = *job;
+  common.handles = lam_handles_resolve(arena, job->common, net, net->mesh.vertices, job->place, errors);
+  resolved.common = &common;
+  a.job = &resolved;
+  const lam_list *handles = &common.handles;
   a.handle_vertices = LAM_NEW(arena, int, handles->count);
   for (int h = 0; h < handles->count; h++) {
     const lam_handle *handle = (const lam_handle *)handles->items + h;
-    a.handle_vertices[h] = handle_vertex(&a, handle);
-    if (a.handle_vertices[h] >= 0 && job->common->boundary == LAM_BOUNDARY_FIXED && net->boundary[a.handle_vertices[h]])
-      lam_error_add(errors, job->place, "net.handles",
-                    "vertex [%d, %d] lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
-                    handle->vertex[0], handle->vertex[1]);
+    a.handle_vertices[h] = handle->vertex[0];
     if (handle->steps > steps) steps = handle->steps;
   }
   if (errors->count > before) return false;

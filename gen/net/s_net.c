@@ -53,16 +53,10 @@ static const lam_key keys[] = {
             "tan^2(angle / 2) everywhere. Left out: angles are free."},
     {0}};
 
-static const char *const measures[] = {"star_sphericity",
-                                       "star_curvature",
-                                       "circle_angle_deviation",
-                                       "crossing_angle",
-                                       "face_planarity",
-                                       "edge_length",
-                                       "shortest_edge",
-                                       "foldovers",
-                                       "flatness",
-                                       NULL};
+static const char *const measures[] = {
+    "star_sphericity",        "principal_deviation", "star_curvature", "curvature_ratio",
+    "circle_angle_deviation", "crossing_angle",      "face_planarity", "edge_length",
+    "shortest_edge",          "foldovers",           "flatness",       NULL};
 
 const lam_net_kind lam_net_s_net = {
     .head = {"s-net", "Principal symmetric net (S-net)",

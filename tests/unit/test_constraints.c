@@ -298,7 +298,8 @@ static void proximity_needs_a_reference(void **state) {
   lam_con_proximity.add(&scope, NULL, 1, (lam_place){0});
   assert_int_equal(f->errors.count, 1);
   assert_int_equal(problem->block_count, 0);
-  lam_handle_params far = {{9, -1}, {0, 0, 0}};
+  int ninth = 9;
+  lam_handle_params far = {{1, &ninth}, {0, 0, 0}};
   lam_con_handle.add(&scope, &far, 1, (lam_place){0});
   assert_int_equal(f->errors.count, 2);
   assert_int_equal(problem->block_count, 0);
