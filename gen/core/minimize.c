@@ -1,6 +1,6 @@
 #include "core/minimize.h"
-#include "core/dense.h"
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 enum { MAX = LAM_MINIMIZE_MAX };
@@ -11,71 +11,80 @@ typedef struct lam_objective {
   void *data;
 } lam_objective;
 
-/* The value at x with two variables moved (i may be j: both moves add up). */
-static double moved(const lam_objective *f, const double *x, int i, double a, int j, double b) {
-  double y[MAX];
+/* Gradient and second derivatives along the axes by central differences. Where a neighbor has no value, the axis is
+ * left alone: slope 0. */
+static void derive(const lam_objective *f, const double *x, double at, double *gradient, double *second) {
+  const double h = 2e-5, wide = 1e-3;
+  double y[MAX], side[2];
   memcpy(y, x, (size_t)f->count * sizeof *y);
-  y[i] += a;
-  y[j] += b;
-  return f->value(f->data, y);
+  for (int i = 0; i < f->count; i++) {
+    for (int k = 0; k < 2; k++) {
+      y[i] = x[i] + (k ? h : -h);
+      side[k] = f->value(f->data, y);
+    }
+    gradient[i] = (side[1] - side[0]) / (2 * h);
+    if (!isfinite(gradient[i])) gradient[i] = 0;
+    for (int k = 0; second && k < 2; k++) {
+      y[i] = x[i] + (k ? wide : -wide);
+      side[k] = f->value(f->data, y);
+    }
+    if (second) second[i] = (side[0] + side[1] - 2 * at) / (wide * wide);
+    y[i] = x[i];
+  }
 }
 
-static void derive(const lam_objective *f, const double *x, double at, double *gradient, double *hessian) {
-  const double h = 1e-4, small = 2e-5;
-  int n = f->count;
+/* The inverse Hessian to begin with. */
+static void reset(int n, const double *second, const double *gradient, double *inverse) {
+  memset(inverse, 0, (size_t)(n * n) * sizeof *inverse);
   for (int i = 0; i < n; i++) {
-    gradient[i] = (moved(f, x, i, small, i, 0) - moved(f, x, i, -small, i, 0)) / (2 * small);
-    hessian[i * n + i] = (moved(f, x, i, h, i, 0) + moved(f, x, i, -h, i, 0) - 2 * at) / (h * h);
-    for (int j = 0; j < i; j++)
-      hessian[i * n + j] = hessian[j * n + i] =
-          (moved(f, x, i, h, j, h) - moved(f, x, i, h, j, -h) - moved(f, x, i, -h, j, h) + moved(f, x, i, -h, j, -h)) /
-          (4 * h * h);
+    bool curved = isfinite(second[i]) && second[i] > 1e-6 * fabs(gradient[i]);
+    inverse[i * n + i] = curved ? 1 / second[i] : 0.1 / (fabs(gradient[i]) + 1e-12);
   }
 }
 
-/* One step with the least damping that does not raise the value; its length, or 0 when there is none. */
-static double advance(const lam_objective *f, double *x, double *at, double *damping) {
-  double gradient[MAX], hessian[MAX * MAX];
-  int n = f->count;
-  derive(f, x, *at, gradient, hessian);
-  for (int attempt = 0; attempt < 30; attempt++) {
-    double matrix[MAX * MAX], move[MAX], y[MAX], length = 0;
-    bool finite = true;
-    for (int k = 0; k < n * n; k++) {
-      matrix[k] = hessian[k];
-      finite = finite && isfinite(matrix[k]);
-    }
-    for (int k = 0; k < n; k++) {
-      double slope = isfinite(gradient[k]) ? gradient[k] : 0;
-      if (!finite) matrix[k * n + k] = isfinite(hessian[k * n + k]) ? hessian[k * n + k] : 1;
-      for (int j = 0; j < n && !finite; j++)
-        if (j != k) matrix[k * n + j] = 0; /* at the edge of the domain: each variable by itself */
-      matrix[k * n + k] += *damping * (fabs(matrix[k * n + k]) + 1e-12 * fabs(*at));
-      move[k] = -slope;
-    }
-    if (lam_cholesky_factor(n, matrix)) {
-      lam_cholesky_solve(n, matrix, move);
-      for (int k = 0; k < n; k++) {
-        y[k] = x[k] + move[k];
-        length = fmax(length, fabs(move[k]));
-      }
-      double reached = f->value(f->data, y);
-      if (reached <= *at) {
-        memcpy(x, y, (size_t)n * sizeof *x);
-        *at = reached;
-        *damping = fmax(*damping / 10, 1e-14);
-        return length;
-      }
-    }
-    *damping = fmax(4 * *damping, 1e-8);
-  }
-  return 0;
+static double product(int n, const double *a, const double *b) {
+  double sum = 0;
+  for (int i = 0; i < n; i++) sum += a[i] * b[i];
+  return sum;
+}
+
+/* The update of the inverse Hessian for a step and its change of gradient. */
+static void update(int n, const double *step, const double *change, double *inverse) {
+  double along = product(n, step, change), image[MAX];
+  if (!(along > 1e-14 * sqrt(product(n, step, step) * product(n, change, change)))) return;
+  for (int i = 0; i < n; i++) image[i] = product(n, inverse + i * n, change);
+  double factor = 1 + product(n, change, image) / along;
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++)
+      inverse[i * n + j] += (factor * step[i] * step[j] - image[i] * step[j] - step[i] * image[j]) / along;
 }
 
 double lam_minimize(int count, double (*value)(void *data, const double *x), void *data, int steps, double *x) {
   lam_objective f = {count, value, data};
-  double at = value(data, x), damping = 1e-3;
-  for (int step = 0; step < steps; step++)
-    if (advance(&f, x, &at, &damping) < 1e-9) break;
+  double at = value(data, x), gradient[MAX], second[MAX], inverse[MAX * MAX];
+  derive(&f, x, at, gradient, second);
+  reset(count, second, gradient, inverse);
+  for (int round = 0; round < steps; round++) {
+    double step[MAX], y[MAX], next[MAX], slope = 0, length = 0, reached = INFINITY, t = 1;
+    for (int i = 0; i < count; i++) step[i] = -product(count, inverse + i * count, gradient);
+    slope = product(count, step, gradient);
+    for (int halving = 0; halving < 30; halving++, t /= 2) {
+      for (int i = 0; i < count; i++) y[i] = x[i] + t * step[i];
+      reached = value(data, y);
+      if (reached <= at + 1e-4 * t * slope) break;
+    }
+    if (!(reached <= at)) return at;
+    for (int i = 0; i < count; i++) {
+      step[i] *= t;
+      x[i] = y[i];
+      length = fmax(length, fabs(step[i]));
+    }
+    at = reached;
+    if (length < 1e-8) break;
+    derive(&f, x, at, next, NULL);
+    for (int i = 0; i < count; i++) y[i] = next[i] - gradient[i];
+    update(count, step, y, inverse);
+    memcpy(gradient, next, (size_t)count * sizeof *next);
+  }
   return at;
 }

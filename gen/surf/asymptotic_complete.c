@@ -1,5 +1,6 @@
-/* Corner data that were left out: sides from the tangents, curvatures and slopes from the least bending energy of the
- * boundary (thesis, eq. 2.5). */
+/* Corner data that were left out: sides from the tangents, curvatures from the least bending energy of the boundary
+ * (thesis, eq. 2.5). Slopes tilt the tangent planes of the surface, and the boundary alone says little about them: with
+ * slopes left out, everything is chosen for the least thin-plate energy of the bi-7 surface (thesis, eq. 2.8). */
 #include "core/minimize.h"
 #include "surf/asymptotic_parts.h"
 
@@ -49,11 +50,15 @@ static double energy_at(void *data, const double *x) {
     if (!(fabs(x[k]) < 5)) return INFINITY; /* neither straight nor a hook */
   lam_arena_mark mark = lam_arena_mark_get(c->arena);
   lam_errors errors = {.arena = c->arena};
-  lam_quad_boundary boundary;
+  lam_asymptotic_patch patch;
+  double energy = INFINITY;
   set_corners(c, x);
-  bool made = lam_quad_boundary_make(c->arena, c->corners, c->form, (lam_place){0}, &errors, &boundary);
+  if (c->slopes && lam_asymptotic_patch_make(c->arena, c->corners, LAM_QUAD_BI7, (lam_place){0}, &errors, &patch))
+    energy = patch.energy;
+  if (!c->slopes && lam_quad_boundary_make(c->arena, c->corners, c->form, (lam_place){0}, &errors, &patch.boundary))
+    energy = patch.boundary.energy;
   lam_arena_release(c->arena, mark);
-  return made ? boundary.energy : INFINITY;
+  return energy;
 }
 
 bool lam_quad_corners_complete(lam_arena *arena, lam_quad_corners *corners, lam_quad_form form,
@@ -90,7 +95,7 @@ bool lam_quad_corners_complete(lam_arena *arena, lam_quad_corners *corners, lam_
     return false;
   }
   for (int k = first; k < count; k++) x[k] = best;
-  lam_minimize(count, energy_at, &c, 40, x);
+  lam_minimize(count, energy_at, &c, 100, x);
   set_corners(&c, x);
   return true;
 }

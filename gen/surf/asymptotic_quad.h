@@ -70,10 +70,11 @@ typedef struct lam_asymptotic_patch {
 typedef struct lam_quad_missing {
   bool sides;      /* follow from the tangents; a side whose tangents are along the chord is straight */
   bool curvatures; /* chosen for least bending energy of the boundary */
-  bool slopes;     /* vertical parts of the tangents, likewise; the horizontal parts are given */
+  bool slopes;     /* vertical parts of the tangents, chosen with the curvatures for least thin-plate energy of the bi-7
+                      surface; the horizontal parts are given */
 } lam_quad_missing;
-/* Completes corner data in place. The bending energy is brought to a local minimum over what is left out, with
- * curvatures between exp(-5) and exp(5) over the chord. false, with an error, when nothing completes the data. */
+/* Completes corner data in place. The energy is brought to a local minimum over what is left out, with curvatures
+ * between exp(-5) and exp(5) over the chord. false, with an error, when nothing completes the data. */
 bool lam_quad_corners_complete(lam_arena *arena, lam_quad_corners *corners, lam_quad_form form,
                                lam_quad_missing missing, lam_place place, lam_errors *errors);
 
