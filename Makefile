@@ -28,7 +28,7 @@ libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -l
 packages_build := gcc g++ libc6-dev libsuitesparse-dev libopenblas-dev libcgal-dev libtinygltf-dev \
                   libpolyclipping-dev libyaml-dev libjansson-dev libpng-dev
 packages_show  := povray povray-includes
-packages_check := $(packages_show) libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm
+packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm
 packages_pics  := $(packages_show) netpbm libjpeg-turbo-progs
 
 cli_src := $(wildcard gen/cli/*.c)
@@ -91,12 +91,11 @@ $(out)/tests/%: tests/%.c $(out)/liblamella.a
 -include $(lib_obj:.o=.d) $(cli_obj:.o=.d) $(tests:=.d)
 
 # ---- models: one folder per design; a design's rule lists the templates and meshes it used ----
-all_but_png := report,obj,stl,scad,dxf,svg,gltf,bom,nodes,assembly,pov
 models: $(designs:%=build/models/%/report.json)
 build/models/%/report.json: templates/designs/%.yaml build/lamella
 	@echo "  make $*"
 	@rm -rf $(@D) && mkdir -p $(@D)
-	@build/lamella build $< -o $(@D) --deps build/models/$*.d --only $(all_but_png) >build/models/$*.txt || { cat build/models/$*.txt; exit 1; }
+	@build/lamella build $< -o $(@D) --deps build/models/$*.d --skip png >build/models/$*.txt || { cat build/models/$*.txt; exit 1; }
 -include $(designs:%=build/models/%.d)
 
 demo: setup-demo
@@ -109,13 +108,15 @@ build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
 	build/lamella build $< -o build/demo --deps build/demo.d --set render.quality=middle >build/demo.txt || { cat build/demo.txt; exit 1; }
 -include build/demo.d
 
-# ---- pictures for the README; minutes each ----
+# ---- pictures for the README: minutes each for the large ones, less than one for all others ----
+large := asymptotic-pavilion constant-ratio-vault enneper-model hypar-roof
 renders: setup-pics
 	@$(MAKE) --no-print-directory $(jobs) $(gallery)
 renders/gallery/%.jpg: build/models/%/report.json
 	@echo "  render $*"
 	@mkdir -p $(@D)
-	@build/lamella build templates/designs/$*.yaml -o build/models/$* --only png --quiet
+	@build/lamella build templates/designs/$*.yaml -o build/models/$* --only pov,png --quiet \
+	  $(if $(filter $*,$(large)),,--set render.quality=thumb --set 'render.size=[640,360]')
 	@pngtopnm build/models/$*/$*.png | cjpeg -quality 88 -optimize >$@.part && mv $@.part $@
 
 # ---- tests ----

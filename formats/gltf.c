@@ -36,7 +36,8 @@ typedef struct builder {
 static int add_material(builder *b, const char *name, const double color[3], double metallic, double roughness) {
   for (int i = 0; i < b->material_count; i++)
     if (!strcmp(b->materials[i].name, name)) return i;
-  b->materials[b->material_count] = (lam_gltf_material){name, {color[0], color[1], color[2]}, metallic, roughness};
+  b->materials[b->material_count] =
+      (lam_gltf_material){name, {color[0], color[1], color[2]}, metallic, roughness, false};
   return b->material_count++;
 }
 

@@ -10,7 +10,7 @@
 
 namespace {
 
-/* The one buffer: vertices (positions and normals, 12 bytes each), then 32-bit indices, then 16-bit indices, each a
+/* The one buffer: vertices (positions, normals and colors, 12 bytes each), then 32-bit indices, then 16-bit indices, each a
  * buffer view. */
 struct Packer {
   tinygltf::Model model;
@@ -63,6 +63,7 @@ struct Packer {
     }
     p.attributes["POSITION"] = positions;
     if (in.normals) p.attributes["NORMAL"] = vectors(in.normals, in.vertex_count);
+    if (in.colors) p.attributes["COLOR_0"] = vectors(in.colors, in.vertex_count);
     p.indices = indices(in.indices, in.index_count, in.vertex_count);
     p.material = in.material;
     p.mode = in.normals ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_LINE;
@@ -101,6 +102,7 @@ tinygltf::Material material_of(const lam_gltf_material &in) {
   m.pbrMetallicRoughness.baseColorFactor = {in.color[0], in.color[1], in.color[2], 1};
   m.pbrMetallicRoughness.metallicFactor = in.metallic;
   m.pbrMetallicRoughness.roughnessFactor = in.roughness;
+  m.doubleSided = in.double_sided;
   return m;
 }
 

@@ -4,6 +4,7 @@
 #define LAM_FORMATS_GLTF_SHIM_H
 
 #include "core/error.h"
+#include <stdbool.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -13,15 +14,17 @@ typedef struct lam_gltf_material {
   const char *name;
   double color[3]; /* linear RGB */
   double metallic, roughness;
+  bool double_sided;
 } lam_gltf_material;
 
-/* Triangles with normals, or lines when normals is NULL. */
+/* Triangles with normals, or lines when normals is NULL. Colors multiply the material's. */
 typedef struct lam_gltf_mesh {
   const char *name;
   int material;
   int vertex_count;
   const float *positions; /* 3 per vertex */
   const float *normals;   /* 3 per vertex, unit; or NULL */
+  const float *colors;    /* 3 per vertex, linear RGB; or NULL */
   int index_count;
   const int *indices;
 } lam_gltf_mesh;

@@ -1,11 +1,12 @@
-/* POV-Ray scenes. The parts are triangle meshes with normals, in meters, z up; the model's bounds, its extreme points
- * and its supports are declared, and the setting (a file of templates/pov) brings ground, light, people and camera.
+/* POV-Ray scenes. The parts (the net when there are none) are triangle meshes with normals, in meters, z up; the
+ * model's bounds, its extreme points and its supports are declared, and the setting (a file of templates/pov) brings
+ * ground, light, people and camera.
  *
  * Nothing in the scene is mirrored: cameras of camera.inc are right-handed. */
 #include "formats/format.h"
 
 #include "core/mesh.h"
-#include "formats/corner_normals.h"
+#include "formats/pov_net.h"
 #include <string.h>
 
 /* Faces whose normals differ by less than this are shaded as one smooth surface. */
@@ -13,43 +14,9 @@ static const double smooth_angle = 30 * M_PI / 180;
 
 /* ---- pieces of scene language ---- */
 
-static void add_vector(lam_text *out, lam_vec3 v, int decimals) {
-  lam_text_add(out, "<");
-  lam_text_number(out, v.x, decimals);
-  lam_text_add(out, ",");
-  lam_text_number(out, v.y, decimals);
-  lam_text_add(out, ",");
-  lam_text_number(out, v.z, decimals);
-  lam_text_add(out, ">");
-}
-
-static void add_vectors(lam_text *out, const char *name, const lam_vec3 *vectors, int count, int decimals) {
-  lam_text_printf(out, "  %s { %d", name, count);
-  for (int i = 0; i < count; i++) {
-    lam_text_add(out, i % 4 ? "," : ",\n    ");
-    add_vector(out, vectors[i], decimals);
-  }
-  lam_text_add(out, " }\n");
-}
-
-static void add_triples(lam_text *out, const char *name, const int (*triples)[3], int count) {
-  lam_text_printf(out, "  %s { %d", name, count);
-  for (int i = 0; i < count; i++) {
-    lam_text_printf(out, "%s<%d,%d,%d>", i % 8 ? "," : ",\n    ", triples[i][0], triples[i][1], triples[i][2]);
-  }
-  lam_text_add(out, " }\n");
-}
-
 static void add_part(lam_text *out, const lam_part *part, int number, int decimals) {
-  lam_shaded_mesh mesh = lam_shaded_mesh_make(out->arena, &part->solid, smooth_angle);
-  lam_vec3 *vertices = LAM_NEW(out->arena, lam_vec3, mesh.vertex_count);
-  for (int i = 0; i < mesh.vertex_count; i++) vertices[i] = part->solid.vertices[mesh.source[i]];
-  lam_text_printf(out, "// %s: %s of %s\n#declare Part_%d = mesh2 {\n", part->name, part->kind, part->material->name,
-                  number);
-  add_vectors(out, "vertex_vectors", vertices, mesh.vertex_count, decimals);
-  add_vectors(out, "normal_vectors", mesh.normals, mesh.vertex_count, 4);
-  add_triples(out, "face_indices", (const int(*)[3])mesh.triangles, mesh.triangle_count);
-  lam_text_add(out, "}\n");
+  lam_text_printf(out, "// %s: %s of %s\n", part->name, part->kind, part->material->name);
+  lam_pov_mesh(out, lam_arena_printf(out->arena, "Part_%d", number), &part->solid, smooth_angle, decimals);
 }
 
 /* A material's name as part of an identifier. */
@@ -70,6 +37,11 @@ static lam_vec3 direction(int k) {
   return lam_v3(cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1);
 }
 
+typedef struct extreme_search {
+  double reach[direction_count];
+  lam_vec3 *points;
+} extreme_search;
+
 static lam_vec3 placed(const lam_frame *frame, lam_vec3 x) {
   if (!frame) return x;
   return lam_along(lam_along(lam_along(frame->origin, x.x, frame->axis[0]), x.y, frame->axis[1]), x.z, frame->axis[2]);
@@ -79,33 +51,35 @@ static lam_vec3 placed(const lam_frame *frame, lam_vec3 x) {
  * depend on the last bit. Meters. */
 static const double same_reach = 1e-6;
 
-/* The points of the model that lie furthest out in 26 directions: what a camera must see. */
+static void take_point(extreme_search *e, lam_vec3 x) {
+  for (int k = 0; k < direction_count; k++) {
+    double along = lam_dot(direction(k), x);
+    if (along <= e->reach[k] + same_reach) continue;
+    e->reach[k] = along;
+    e->points[k] = x;
+  }
+}
+
+/* The points of the parts, or of the net when there are none, that lie furthest out in 26 directions: what a camera
+ * must see. */
 static void find_extremes(const lam_model *model, lam_vec3 *points) {
-  double reach[direction_count];
-  for (int k = 0; k < direction_count; k++) reach[k] = -INFINITY;
+  extreme_search e = {.points = points};
+  for (int k = 0; k < direction_count; k++) e.reach[k] = -INFINITY;
   for (int i = 0; i < model->part_count; i++) {
     const lam_part *part = &model->parts[i];
     for (int j = 0; j < (part->instance_count ? part->instance_count : 1); j++) {
       const lam_frame *frame = part->instance_count ? &part->instances[j] : NULL;
-      for (int v = 0; v < part->solid.vertex_count; v++) {
-        lam_vec3 x = placed(frame, part->solid.vertices[v]);
-        for (int k = 0; k < direction_count; k++) {
-          double along = lam_dot(direction(k), x);
-          if (along > reach[k] + same_reach) {
-            reach[k] = along;
-            points[k] = x;
-          }
-        }
-      }
+      for (int v = 0; v < part->solid.vertex_count; v++) take_point(&e, placed(frame, part->solid.vertices[v]));
     }
   }
+  for (int v = 0; !model->part_count && v < model->net->vertex_count; v++) take_point(&e, model->net->vertices[v]);
 }
 
 static void add_array(lam_text *out, const char *name, const lam_vec3 *points, int count, int decimals) {
   lam_text_printf(out, "#declare %s = array[%d] {", name, count);
   for (int i = 0; i < count; i++) {
     lam_text_add(out, i ? (i % 4 ? ", " : ",\n  ") : "\n  ");
-    add_vector(out, points[i], decimals);
+    lam_pov_vector(out, points[i], decimals);
   }
   lam_text_add(out, "\n}\n");
 }
@@ -124,9 +98,9 @@ static void add_head(lam_text *out, const lam_model *model, int decimals) {
                   model->name, model->picture.width, model->picture.height);
   lam_text_add(out, "// Part numbers as flat colors: \"render.ini[mask]\" instead. Meters, z up.\n#version 3.7;\n"
                     "global_settings { assumed_gamma 1.0 }\n\n#declare Model_Min = ");
-  add_vector(out, min, decimals);
+  lam_pov_vector(out, min, decimals);
   lam_text_add(out, ";\n#declare Model_Max = ");
-  add_vector(out, max, decimals);
+  lam_pov_vector(out, max, decimals);
   lam_text_add(out, ";\n#declare Model_Ground = "); /* height of the ground it stands on */
   lam_text_number(out, ground, decimals);
   lam_text_printf(out, ";\n#declare Model_Support_Count = %d;\n", model->support_count);
@@ -150,7 +124,7 @@ static void add_materials(lam_text *out, const lam_model *model) {
     lam_text_add(out, ") #declare Material_");
     add_identifier(out, material->name);
     lam_text_add(out, " = texture { Plain_Material(");
-    add_vector(out, lam_v3(material->color[0], material->color[1], material->color[2]), 4);
+    lam_pov_vector(out, lam_v3(material->color[0], material->color[1], material->color[2]), 4);
     for (int k = 0; k < 2; k++) {
       lam_text_add(out, ", ");
       lam_text_number(out, k ? material->roughness : material->metallic, 4);
@@ -183,6 +157,9 @@ static void add_objects(lam_text *out, const lam_model *model) {
       lam_text_add(out, ") }\n");
     }
   }
+  if (!model->part_count)
+    lam_text_add(out, "object { Net_Faces Look(1, Material_net_faces) }\n"
+                      "object { Net_Lines Look(2, Material_net_lines) }\n");
   lam_text_add(out, "#end\n");
 }
 
@@ -195,12 +172,13 @@ static lam_status write_scene(const lam_model *model, int i, lam_text *out) {
   add_head(out, model, decimals);
   add_materials(out, model);
   for (int k = 0; k < model->part_count; k++) add_part(out, &model->parts[k], k + 1, decimals);
+  if (!model->part_count) lam_pov_net_add(out, model->net, smooth_angle, decimals);
   add_objects(out, model);
   lam_text_printf(out, "\n#include \"%s.inc\"\n", model->picture.setting);
   return LAM_OK;
 }
 
-static int count_scenes(const lam_model *model) { return model->part_count > 0; }
+static int count_scenes(const lam_model *model) { return model->part_count > 0 || model->net; }
 
 static void scene_path(const lam_model *model, int i, lam_text *path) {
   (void)i;
@@ -222,7 +200,8 @@ static const char *const *scene_support(lam_arena *arena, const lam_model *model
 
 extern const lam_format lam_format_pov;
 const lam_format lam_format_pov = {.name = "pov",
-                                   .doc = "POV-Ray scene of the parts in a setting.",
+                                   .doc =
+                                       "POV-Ray scene of the parts, or of the net when there are none, in a setting.",
                                    .count = count_scenes,
                                    .path = scene_path,
                                    .write = write_scene,

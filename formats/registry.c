@@ -1,16 +1,35 @@
+/* The list of formats. To add one: write its file, and add its line here. */
 #include "formats/format.h"
 
 #include <string.h>
 #include <strings.h>
 
-extern const lam_format lam_format_obj, lam_format_stl, lam_format_scad, lam_format_dxf, lam_format_svg,
-    lam_format_gltf, lam_format_bom, lam_format_nodes, lam_format_assembly, lam_format_pov, lam_format_png,
-    lam_format_report;
+/* clang-format off */
+#define FORMATS(row) \
+  row(report) \
+  row(obj) \
+  row(stl) \
+  row(scad) \
+  row(dxf) \
+  row(svg) \
+  row(gltf) \
+  row(bom) \
+  row(nodes) \
+  row(assembly) \
+  row(pov) \
+  row(png) \
+  row(surface) \
+  row(step) \
+  row(iges) \
+  row(plot) \
+  row(plot_gltf)
+/* clang-format on */
 
-const lam_format *const lam_formats[] = {
-    &lam_format_report, &lam_format_obj, &lam_format_stl,   &lam_format_scad,     &lam_format_dxf, &lam_format_svg,
-    &lam_format_gltf,   &lam_format_bom, &lam_format_nodes, &lam_format_assembly, &lam_format_pov, &lam_format_png,
-};
+#define DECLARE(name) extern const lam_format lam_format_##name;
+FORMATS(DECLARE)
+
+#define POINT(name) &lam_format_##name,
+const lam_format *const lam_formats[] = {FORMATS(POINT)};
 const int lam_format_count = sizeof lam_formats / sizeof *lam_formats;
 
 const lam_format *lam_format_for(const char *path) {

@@ -1,4 +1,5 @@
-/* report.json: what was measured, one entry per stage. Numbers have 6 significant digits; times only when asked for. */
+/* report.json: what was measured, one entry per stage. Numbers have 6 significant digits, null
+ * stands for what is undefined or not known; times only when asked for. */
 #include "formats/format.h"
 
 #include <jansson.h>
@@ -25,8 +26,8 @@ static json_t *stage_entry(const lam_stage *stage) {
   for (int i = 0; i < stage->measure_count; i++) {
     const lam_measure *m = &stage->measures[i];
     json_object_set_new(measures, m->name,
-                        json_pack("{s:o, s:o, s:s, s:I}", "max", number(m->max), "mean", number(m->mean), "unit",
-                                  m->unit, "count", (json_int_t)m->count));
+                        json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean", number(m->mean), "max",
+                                  number(m->max), "unit", m->unit, "count", (json_int_t)m->count));
   }
   json_object_set_new(entry, "measures", measures);
   if (stage->note_count) {

@@ -2,23 +2,13 @@
  * mirrored. */
 #include "formats/format.h"
 #include "formats/layer.h"
+#include "formats/xml.h"
 
 #include <string.h>
 
 enum { DECIMALS = 4 };
 
 static void number(lam_text *out, double meters) { lam_text_number(out, meters * 1e3, DECIMALS); }
-
-/* Text between tags or in an attribute. */
-static void escaped(lam_text *out, const char *string) {
-  for (; *string; string++) {
-    const char *entity = *string == '&' ? "&amp;" : *string == '<' ? "&lt;" : *string == '"' ? "&quot;" : NULL;
-    if (entity)
-      lam_text_add(out, entity);
-    else if ((unsigned char)*string >= ' ')
-      lam_text_bytes(out, string, 1);
-  }
-}
 
 static void style(lam_text *out) {
   lam_text_add(out, "<style>\npath { fill: none; stroke-width: 0.1; stroke-linejoin: round; stroke-linecap: round }\n");
@@ -51,7 +41,7 @@ static void head(lam_text *out, const lam_model *model, const lam_sheet *sheet) 
   lam_text_add(out, " ");
   number(out, sheet->height);
   lam_text_add(out, "\">\n<title>");
-  escaped(out, model->title ? model->title : model->name);
+  lam_xml_escaped(out, model->title ? model->title : model->name);
   lam_text_printf(out, ": %s</title>\n<desc>%s, ", sheet->name,
                   sheet->material ? sheet->material->name : "any material");
   number(out, sheet->thickness);
@@ -69,7 +59,7 @@ static void head(lam_text *out, const lam_model *model, const lam_sheet *sheet) 
 static void group(lam_text *out, const lam_sheet *sheet, int index, int copy) {
   const lam_placed *placed = &sheet->placed[index];
   lam_text_add(out, "<g class=\"part\" id=\"");
-  escaped(out, placed->label);
+  lam_xml_escaped(out, placed->label);
   if (copy > 1) lam_text_printf(out, "-copy-%d", copy);
   lam_text_add(out, "\">\n");
   for (int i = 0; i < placed->path_count; i++) draw(out, &placed->paths[i], sheet->height);

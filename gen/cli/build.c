@@ -17,17 +17,18 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char usage[] = "usage: lamella build DESIGN.yaml [-o DIR] [--set KEY=VALUE]... [--only FORMAT,...] "
+static const char usage[] = "usage: lamella build DESIGN.yaml [-o DIR] [--set KEY=VALUE]... [--only|--skip FORMAT,...] "
                             "[--deps FILE] [--quiet] [--timings]\n"
                             "  -o DIR           the folder for the files (default: the design's name)\n"
                             "  --set KEY=VALUE  overrides a key of the design, as in --set net.grid=[40,40]\n"
                             "  --only FORMATS   writes only these formats (see lamella list formats)\n"
+                            "  --skip FORMATS   writes all formats but these\n"
                             "  --deps FILE      writes a make rule: what DIR/report.json was made from\n"
                             "  --quiet          prints errors only\n"
                             "  --timings        adds the seconds of every stage to the report";
 
 typedef struct arguments {
-  const char *path, *folder, *only, *deps;
+  const char *path, *folder, *only, *skip, *deps;
   lam_override *overrides;
   int override_count;
   bool quiet, timings;
@@ -55,6 +56,8 @@ static int read_arguments(lam_arena *arena, int argc, char **argv, arguments *ou
       target = &out->folder;
     else if (strcmp(a, "--only") == 0)
       target = &out->only;
+    else if (strcmp(a, "--skip") == 0)
+      target = &out->skip;
     else if (strcmp(a, "--deps") == 0)
       target = &out->deps;
     else if (strcmp(a, "--set") == 0)
@@ -130,8 +133,11 @@ static int finish(lam_arena *arena, const arguments *given, const lam_model *mod
                   const lam_progress *progress) {
   lam_errors errors = {.arena = arena}, notes = {.arena = arena};
   const char *folder = given->folder ? given->folder : model->name;
-  lam_output output = {
-      .folder = folder, .only = given->only, .templates = lam_template_dir(arena), .progress = progress};
+  lam_output output = {.folder = folder,
+                       .only = given->only,
+                       .skip = given->skip,
+                       .templates = lam_template_dir(arena),
+                       .progress = progress};
   if (!output.templates) return lam_complain_plain(1, "the templates folder is not found; set LAMELLA_TEMPLATES");
   if (!given->timings) forget_times(model->report);
   lam_output_write(arena, model, &output, &notes, &errors);
@@ -157,7 +163,8 @@ static int build(lam_arena *arena, int argc, char **argv) {
   char *bytes = NULL;
   size_t count = 0;
   lam_design *design = LAM_NEW(arena, lam_design, 1);
-  if (given.only) lam_output_check(given.only, &errors);
+  if (given.only) lam_output_check("--only", given.only, &errors);
+  if (given.skip) lam_output_check("--skip", given.skip, &errors);
   if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK)
     return lam_complain(&errors);
   lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, design);

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char usage[] = "usage: lamella list [surfaces|nets|constraints|parts|materials|formats|designs]";
+static const char usage[] = "usage: lamella list [surfaces|nets|constraints|measures|parts|materials|formats|designs]";
 
 static int widest(const lam_listed *listed, int count, const char *(*text_of)(const lam_listed *)) {
   int width = 0;

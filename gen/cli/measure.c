@@ -1,11 +1,13 @@
 /* lamella measure MESH.obj: independent measures of any quad mesh. */
 #include "net/measure.h"
 #include "cli/complain.h"
+#include "cli/measure_map.h"
 #include "cli/mesh_files.h"
 #include "cli/report_table.h"
 #include "cli/run.h"
 #include "cli/verbs.h"
 #include "net/kind.h"
+#include "net/map.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -14,51 +16,113 @@
 #include <string.h>
 
 static const char usage[] =
-    "usage: lamella measure MESH.obj [--as NET] [--angle DEGREES] [--json]\n"
-    "  --as NET         only the measures that prove this kind of net (see lamella list nets)\n"
-    "  --angle DEGREES  the crossing angle that angle_deviation is measured against (default: 90)\n"
-    "  --json           prints JSON";
+    "usage: lamella measure MESH.obj [--as NET] [--angle DEGREES] [--reference FILE] [--axis PX,PY,PZ,DX,DY,DZ]\n"
+    "                       [--map MEASURE -o FILE] [--json]\n"
+    "  --as NET          only the measures that prove this kind of net (see lamella list nets)\n"
+    "  --angle DEGREES   the crossing angle that angle_deviation is measured against (default: 90)\n"
+    "  --reference FILE  a mesh (OBJ or STL) that distances are measured to\n"
+    "  --axis NUMBERS    point (meters) and direction of the axis of a surface of revolution\n"
+    "  --map MEASURE     draws a color map (see lamella list measures) into the file after -o: .svg, .png or .glb\n"
+    "  --json            prints JSON";
 
 typedef struct arguments {
-  const char *path, *as;
-  double angle;
+  const char *path, *as, *reference, *map, *output, *angle_text, *axis_text;
+  double angle, axis[6];
   bool json;
 } arguments;
 
+/* count numbers separated by commas, and nothing else. */
+static bool read_numbers(const char *text, int count, double *numbers) {
+  for (int i = 0; i < count; i++) {
+    char *end;
+    numbers[i] = strtod(text, &end);
+    if (end == text || !isfinite(numbers[i]) || *end != (i + 1 < count ? ',' : 0)) return false;
+    text = end + 1;
+  }
+  return true;
+}
+
+static int check_arguments(arguments *out) {
+  if (out->angle_text && (!read_numbers(out->angle_text, 1, &out->angle) || !(out->angle > 0 && out->angle < 180)))
+    return lam_complain_plain(2, "measure: --angle %s; expected degrees between 0 and 180", out->angle_text);
+  const double *d = out->axis + 3;
+  if (out->axis_text && (!read_numbers(out->axis_text, 6, out->axis) || !(hypot(hypot(d[0], d[1]), d[2]) > 0)))
+    return lam_complain_plain(2, "measure: --axis %s; expected six numbers: a point and a direction, PX,PY,PZ,DX,DY,DZ",
+                              out->axis_text);
+  if (!out->map != !out->output)
+    return lam_complain_plain(2, "measure: --map MEASURE and -o FILE are given together\n%s", usage);
+  return out->path ? -1 : lam_complain_plain(2, "measure: expected a mesh file\n%s", usage);
+}
+
 static int read_arguments(int argc, char **argv, arguments *out) {
+  const struct {
+    const char *name, **value;
+  } options[] = {{"--as", &out->as},   {"--angle", &out->angle_text}, {"--reference", &out->reference},
+                 {"--map", &out->map}, {"--axis", &out->axis_text},   {"-o", &out->output}};
   for (int i = 1; i < argc; i++) {
-    const char *a = argv[i];
+    const char *a = argv[i], **value = NULL;
     if (strcmp(a, "--help") == 0) return puts(usage) < 0;
-    if (strcmp(a, "--json") == 0)
+    for (size_t k = 0; k < sizeof options / sizeof *options; k++)
+      if (strcmp(a, options[k].name) == 0) value = options[k].value;
+    if (value && i + 1 < argc)
+      *value = argv[++i];
+    else if (strcmp(a, "--json") == 0)
       out->json = true;
-    else if (strcmp(a, "--as") == 0 && i + 1 < argc)
-      out->as = argv[++i];
-    else if (strcmp(a, "--angle") == 0 && i + 1 < argc) {
-      char *end;
-      out->angle = strtod(argv[++i], &end);
-      if (*end || end == argv[i] || !(out->angle > 0 && out->angle < 180))
-        return lam_complain_plain(2, "measure: --angle %s; expected degrees between 0 and 180", argv[i]);
-    } else if (a[0] == '-' || out->path)
+    else if (value)
+      return lam_complain_plain(2, "measure: %s needs a value\n%s", a, usage);
+    else if (a[0] == '-' || out->path)
       return lam_complain_plain(2, "measure: %s is not expected here\n%s", a, usage);
     else
       out->path = a;
   }
-  return out->path ? -1 : lam_complain_plain(2, "measure: expected a mesh file\n%s", usage);
+  return check_arguments(out);
 }
+
+/* null: undefined, or not a number. */
+static json_t *number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
 
 static void print_json(const char *path, const lam_net *net, const lam_measure *measures, int count) {
   json_t *list = json_object();
   for (int i = 0; i < count; i++) {
     const lam_measure *m = &measures[i];
     json_object_set_new(list, m->name,
-                        json_pack("{s:f, s:f, s:s, s:I}", "max", isfinite(m->max) ? m->max : 0, "mean",
-                                  isfinite(m->mean) ? m->mean : 0, "unit", m->unit, "count", (json_int_t)m->count));
+                        json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean", number(m->mean), "max",
+                                  number(m->max), "unit", m->unit, "count", (json_int_t)m->count));
   }
   json_t *root = json_pack("{s:s, s:i, s:i, s:i, s:o}", "mesh", path, "vertices", net->mesh.vertex_count, "faces",
                            net->mesh.face_count, "irregular_vertices", net->irregular_count, "measures", list);
   json_dumpf(root, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
   putchar('\n');
   json_decref(root);
+}
+
+/* What measures need beside the net. The reference's tree is closed with the arena. */
+static bool prepare(const arguments *given, lam_measuring *in, lam_errors *errors) {
+  in->target_angle = given->angle * M_PI / 180;
+  if (given->axis_text) in->axis = given->axis;
+  if (!given->reference) return true;
+  lam_trimesh *mesh = LAM_NEW(in->arena, lam_trimesh, 1);
+  if (!lam_input_triangles(in->arena, given->reference, errors, mesh)) return false;
+  lam_tree *tree = lam_tree_new(mesh);
+  if (!tree) {
+    lam_error_add(errors, (lam_place){.file = given->reference}, NULL,
+                  "the mesh cannot be searched; it has no valid "
+                  "triangle");
+    return false;
+  }
+  lam_arena_defer(in->arena, lam_tree_free, tree);
+  in->reference = tree;
+  in->reference_mesh = mesh;
+  return true;
+}
+
+static lam_status write_map(const arguments *given, const lam_measuring *in, lam_errors *errors) {
+  const char *slash = strrchr(given->path, '/');
+  lam_map map = lam_net_map(in, lam_measure_find(given->map));
+  const char *file = slash ? slash + 1 : given->path, *dot = strrchr(file, '.');
+  const char *name = lam_arena_printf(in->arena, "%.*s", (int)(dot ? dot - file : (long)strlen(file)), file);
+  lam_model model = {.name = name, .net = &in->net->mesh, .map_count = 1, .maps = &map};
+  return lam_measure_map_write(&model, given->output, errors);
 }
 
 static int measure(lam_arena *arena, int argc, char **argv) {
@@ -69,6 +133,9 @@ static int measure(lam_arena *arena, int argc, char **argv) {
   const lam_net_kind *kind = NULL;
   if (given.as && !(kind = (const lam_net_kind *)lam_registry_find(&lam_nets, given.as)))
     return lam_complain_plain(2, "measure: --as %s; expected a net of `lamella list nets`", given.as);
+  if (given.map && (!lam_measure_named(given.map, true, (lam_place){0}, "--map", &errors) ||
+                    !lam_measure_map_check(given.output, &errors)))
+    return lam_complain(&errors);
   lam_mesh mesh;
   lam_net net;
   if (!lam_input_mesh(arena, given.path, &errors, &mesh) ||
@@ -76,7 +143,11 @@ static int measure(lam_arena *arena, int argc, char **argv) {
     return lam_complain(&errors);
   int count;
   lam_measuring measuring = lam_measuring_of(arena, &net, net.mesh.vertices);
-  measuring.target_angle = given.angle * M_PI / 180;
+  if (!prepare(&given, &measuring, &errors)) return lam_complain(&errors);
+  if (given.map && write_map(&given, &measuring, &errors) != LAM_OK) {
+    lam_complain(&errors);
+    return 1;
+  }
   lam_measure *measures = lam_net_measure(&measuring, kind ? kind->measures : NULL, &count);
   if (given.json) {
     print_json(given.path, &net, measures, count);

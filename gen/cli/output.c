@@ -26,7 +26,7 @@ static bool listed(const char *only, const char *name) {
   return false;
 }
 
-bool lam_output_check(const char *only, lam_errors *errors) {
+bool lam_output_check(const char *option, const char *only, lam_errors *errors) {
   const char *names[64];
   int before = errors->count;
   for (int i = 0; i < lam_format_count && i < 63; i++) names[i] = lam_formats[i]->name, names[i + 1] = NULL;
@@ -38,7 +38,7 @@ bool lam_output_check(const char *only, lam_errors *errors) {
     for (int i = 0; i < lam_format_count; i++) known |= strcmp(lam_formats[i]->name, name) == 0;
     const char *near = known ? NULL : lam_did_you_mean(name, names);
     if (!known)
-      lam_error_add(errors, (lam_place){0}, "--only", "%s; expected formats of `lamella list formats`%s%s%s", name,
+      lam_error_add(errors, (lam_place){0}, option, "%s; expected formats of `lamella list formats`%s%s%s", name,
                     near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
     at = comma ? comma + 1 : NULL;
   }
@@ -106,7 +106,7 @@ lam_status lam_output_write(lam_arena *arena, const lam_model *model, lam_output
   lam_status status = lam_path_make_dirs(output->folder, errors);
   for (int i = 0; status == LAM_OK && i < lam_format_count; i++) {
     const lam_format *format = lam_formats[i];
-    bool wanted = !output->only || listed(output->only, format->name);
+    bool wanted = (!output->only || listed(output->only, format->name)) && !listed(output->skip, format->name);
     if (!wanted || !format->count || format->count(model) == 0) continue;
     lam_progress_tell(output->progress, format->name, (double)i / lam_format_count, "");
     if (format->write)

@@ -1,6 +1,7 @@
 #include "cli/references.h"
 #include "cli/templates.h"
 #include "net/kind.h"
+#include "net/map.h"
 #include "surf/surface.h"
 
 #include <string.h>
@@ -28,8 +29,10 @@ static void check_setting(const lam_design *design, lam_errors *errors) {
 void lam_references_check(const lam_design *design, lam_errors *errors) {
   if (design->surface.head) lam_surface_make(errors->arena, &design->surface, errors);
   check_setting(design, errors);
+  lam_measures_check(&design->plots, true, (lam_place){.file = design->path}, "plots", errors);
   if (!design->net.head) return;
   const lam_net_common *net = design->net.common;
+  lam_measures_check(&net->measures, false, design->net.place, "net.measures", errors);
   check_file(design, net->from.file, "net.from.file", errors);
   check_file(design, net->reference.file, "net.reference.file", errors);
 }

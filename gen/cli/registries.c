@@ -40,7 +40,10 @@ static lam_listed *collect_nets(lam_arena *arena, const lam_section *section, in
     listed[i].use = kind->use;
     listed[i].trouble = kind->trouble;
     lam_text text = {.arena = arena};
-    lam_text_printf(&text, "starts from the %s lines of a surface, or from a mesh\n", lam_chart_names[kind->chart]);
+    if (kind->start)
+      lam_text_add(&text, "makes its own start, without a surface\n");
+    else
+      lam_text_printf(&text, "starts from the %s lines of a surface, or from a mesh\n", lam_chart_names[kind->chart]);
     if (kind->levels > 0) lam_text_printf(&text, "coarse to fine: %d coarser nets are solved first\n", kind->levels);
     if (kind->schedule.fairness > 0)
       lam_text_printf(&text, "%s; weight %g, faded out after %d iterations\n", guide_text(arena, kind),
@@ -52,6 +55,22 @@ static lam_listed *collect_nets(lam_arena *arena, const lam_section *section, in
     if (kind->constrain_thesis) lam_text_add(&text, "\nalso in the thesis' own formulation: solver: thesis");
     listed[i].facts = text.data;
   }
+  return listed;
+}
+
+static lam_listed *collect_measures(lam_arena *arena, const lam_section *section, int *count) {
+  (void)section;
+  static const char *const places[] = {[LAM_ON_VERTICES] = "A value per vertex",
+                                       [LAM_ON_EDGES] = "A value per edge",
+                                       [LAM_ON_FACES] = "A value per face",
+                                       [LAM_ON_NET] = "One value for the net"};
+  lam_listed *listed = LAM_NEW(arena, lam_listed, lam_measure_count);
+  for (int i = 0; i < lam_measure_count; i++) {
+    const lam_measure_kind *kind = lam_measures[i];
+    const char *facts = lam_arena_printf(arena, "%s%s%s.", places[kind->on], *kind->unit ? ", in " : "", kind->unit);
+    listed[i] = (lam_listed){.name = kind->name, .title = kind->doc, .doc = facts};
+  }
+  *count = lam_measure_count;
   return listed;
 }
 
@@ -127,6 +146,10 @@ const lam_section lam_sections[] = {
      .usage = "net: {..., constraints: [{kind: %s",
      .registry = &lam_constraints,
      .collect = collect_rows},
+    {.name = "measures",
+     .noun = "measure",
+     .doc = "What is measured on a net: lamella measure; net: {measures: [NAME]}; plots: [NAME].",
+     .collect = collect_measures},
     {.name = "parts",
      .noun = "part",
      .doc = "What is made from the net.",

@@ -1,9 +1,25 @@
 #include "cli/report_table.h"
 
+#include <math.h>
+
+/* The minimum of a stage that keeps none is left blank. */
+static void print_min(const lam_measure *m, FILE *out) {
+  if (isnan(m->min) && !isnan(m->max))
+    fprintf(out, "%-16s", "");
+  else
+    fprintf(out, "min %-11.5g ", m->min);
+}
+
 void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
   for (int i = 0; i < count; i++) {
     const lam_measure *m = &measures[i];
-    fprintf(out, "  %-26s max %-12.5g mean %-12.5g %s\n", m->name, m->max, m->mean, m->unit);
+    fprintf(out, "  %-26s ", m->name);
+    if (m->count == 0 && isnan(m->max)) {
+      fprintf(out, "undefined\n");
+      continue;
+    }
+    print_min(m, out);
+    fprintf(out, "mean %-11.5g max %-11.5g count %ld%s%s\n", m->mean, m->max, m->count, *m->unit ? "  " : "", m->unit);
   }
 }
 

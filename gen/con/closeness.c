@@ -41,13 +41,14 @@ static void add_closeness(lam_scope *scope, const void *params, double weight, l
 
 static void add_handle(lam_scope *scope, const void *params, double weight, lam_place place) {
   const lam_handle_params *handle = params;
-  if (handle->vertex[0] < 0 || handle->vertex[0] >= scope->net->mesh.vertex_count) {
-    lam_error_add(scope->errors, place, "vertex", "vertex %d, but the net has vertices 0 to %d", handle->vertex[0],
+  int given = handle->vertex.count ? *(const int *)handle->vertex.items : -1;
+  if (given < 0 || given >= scope->net->mesh.vertex_count) {
+    lam_error_add(scope->errors, place, "vertex", "vertex %d, but the net has vertices 0 to %d", given,
                   scope->net->mesh.vertex_count - 1);
     return;
   }
   int *vertex = LAM_NEW(scope->problem->arena, int, 1);
-  *vertex = handle->vertex[0];
+  *vertex = given;
   lam_vec3 target = lam_v3(handle->to[0] / scope->unit, handle->to[1] / scope->unit, handle->to[2] / scope->unit);
   lam_closeness_add(scope, "handle", LAM_HARD, weight, 1, vertex, &target);
 }
@@ -55,9 +56,8 @@ static void add_handle(lam_scope *scope, const void *params, double weight, lam_
 static const lam_key handle_keys[] = {{.name = "vertex",
                                        .type = LAM_KEY_INTEGER,
                                        .offset = offsetof(lam_handle_params, vertex),
-                                       .count = 2,
-                                       .initial = "[0, -1]",
-                                       .doc = "Index of the vertex, followed by -1."},
+                                       .initial = "0",
+                                       .doc = "Index of the vertex, from 0."},
                                       {.name = "to",
                                        .type = LAM_KEY_NUMBER,
                                        .unit = LAM_UNIT_LENGTH,

@@ -20,7 +20,21 @@
   X("card", "Gray model card: creases at about 1 % strain.", 650, 0.0100, 0.66, 0.64, 0.58, 0.0, 0.95)                 \
   X("acrylic", "Cast acrylic sheet (PMMA): tensile strength 70 MPa, modulus 3.3 GPa; half of the limit.", 1190,        \
     0.0106, 0.85, 0.90, 0.92, 0.0, 0.10)                                                                               \
-  X("polypropylene", "Polypropylene sheet: yield 30 MPa, modulus 1.5 GPa.", 910, 0.0200, 0.88, 0.88, 0.86, 0.0, 0.50)
+  X("polypropylene", "Polypropylene sheet: yield 30 MPa, modulus 1.5 GPa.", 910, 0.0200, 0.88, 0.88, 0.86, 0.0, 0.50)  \
+  X("glass", "Float glass: bending strength 45 MPa, modulus 70 GPa (EN 572).", 2500, 0.00064, 0.80, 0.88, 0.86, 0.0,   \
+    0.05)                                                                                                              \
+  X("ceramic", "Glazed ceramic, white: bending strength 35 MPa, modulus 60 GPa (EN 14411).", 2300, 0.00058, 0.86,      \
+    0.85, 0.82, 0.0, 0.20)                                                                                             \
+  X("concrete", "Glass-fiber concrete: limit of proportionality 7 MPa, modulus 15 GPa.", 2000, 0.00047, 0.46, 0.45,    \
+    0.43, 0.0, 0.90)                                                                                                   \
+  X("white-steel", "Structural steel S235, coated white: yield 235 MPa, modulus 210 GPa.", 7850, 0.0011, 0.84, 0.84,   \
+    0.82, 0.0, 0.40)                                                                                                   \
+  X("spruce", "Glued spruce GL24: bending strength 24 MPa, modulus 11.5 GPa (EN 14080).", 420, 0.0021, 0.66, 0.48,     \
+    0.29, 0.0, 0.70)                                                                                                   \
+  X("oak", "Oak: bending strength 90 MPa, modulus 12 GPa; half of the limit is kept for knots.", 690, 0.0038, 0.36,    \
+    0.22, 0.11, 0.0, 0.60)                                                                                             \
+  X("copper", "Copper Cu-DHP, half hard: yield 180 MPa, modulus 127 GPa (EN 1652).", 8930, 0.0014, 0.72, 0.34, 0.20,   \
+    1.0, 0.35)
 
 #define NAME(name, doc, density, strain, r, g, b, metallic, roughness) name,
 #define ROW(name, doc, density, strain, r, g, b, metallic, roughness)                                                  \

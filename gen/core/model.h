@@ -164,9 +164,10 @@ typedef struct lam_sheet {
 } lam_sheet;
 
 /* ---- report ---- */
+/* What was measured on a number of elements. NaN: undefined, or not known (min of a stage that keeps none). */
 typedef struct lam_measure {
   const char *name, *unit;
-  double max, mean;
+  double min, max, mean;
   long count; /* elements measured */
 } lam_measure;
 
@@ -188,12 +189,26 @@ typedef struct lam_report {
   lam_stage *stages;
 } lam_report;
 
+/* ---- color maps ---- */
+typedef enum lam_map_on { LAM_MAP_VERTICES, LAM_MAP_EDGES, LAM_MAP_FACES } lam_map_on;
+
+/* A measure with its values on the elements of the net. */
+typedef struct lam_map {
+  lam_map_on on;
+  const char *doc;
+  lam_measure summary;
+  int count;
+  const double *values;    /* not finite: undefined there */
+  const int (*edges)[2];   /* vertices of the edges, when the values are on edges */
+  const lam_vec3 *normals; /* unit normals of the net's vertices */
+} lam_map;
+
 /* ---- the picture ---- */
 typedef struct lam_picture {
   const char *setting; /* a file of templates/pov without its ending */
   const char *view;    /* a view that the setting knows, or "auto" */
   int width, height;
-  const char *quality; /* an entry of render.ini: draft, golden, final, print */
+  const char *quality; /* an entry of render.ini */
 } lam_picture;
 
 typedef struct lam_model {
@@ -214,6 +229,8 @@ typedef struct lam_model {
   int support_count; /* net vertices on the ground */
   const lam_vec3 *supports;
   const lam_report *report;
+  int map_count; /* of the net; none without a net */
+  const lam_map *maps;
   lam_picture picture;
 } lam_model;
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static char *make_room(lam_text *text, size_t count) {
@@ -54,6 +55,31 @@ void lam_text_number(lam_text *text, double value, int decimals) {
     length = 1;
   }
   lam_text_bytes(text, digits, (size_t)length);
+}
+
+void lam_text_real(lam_text *text, double value) {
+  assert(isfinite(value));
+  char scientific[40], digits[24];
+  int precision = 0;
+  do snprintf(scientific, sizeof scientific, "%.*e", precision, fabs(value));
+  while (precision++ < 16 && strtod(scientific, NULL) != fabs(value));
+  int count = 0;
+  const char *at = scientific;
+  for (; *at != 'e'; at++)
+    if (*at >= '0' && *at <= '9') digits[count++] = *at; /* passes over a locale's decimal sign */
+  int exponent = atoi(at + 1);
+  while (count > 1 && digits[count - 1] == '0') count--;
+  digits[count] = 0;
+  if (value < 0) lam_text_add(text, "-");
+  if (exponent < -4 || exponent > 15) {
+    lam_text_printf(text, "%c.%sE%d", digits[0], count > 1 ? digits + 1 : "0", exponent);
+    return;
+  }
+  if (exponent < 0) lam_text_printf(text, "0.%.*s%s", -exponent - 1, "0000", digits);
+  for (int i = 0; exponent >= 0 && (i < count || i <= exponent + 1); i++) {
+    if (i == exponent + 1) lam_text_add(text, ".");
+    lam_text_bytes(text, i < count ? digits + i : "0", 1);
+  }
 }
 
 void lam_text_quoted(lam_text *text, const char *string) {

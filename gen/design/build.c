@@ -3,8 +3,10 @@
 #include "fab/lamella_checks.h"
 #include "fab/sheet.h"
 #include "fab/workshop.h"
+#include "net/map.h"
 #include "net/optimize.h"
 #include "net/start.h"
+#include "net/trace.h"
 #include "surf/place.h"
 
 #include <math.h>
@@ -22,6 +24,7 @@ typedef struct pipeline {
   lam_model *model;
   lam_surface surface;
   lam_net *net;
+  lam_measuring measuring; /* of the net */
   lam_vec3 *normals;
   lam_siting placed; /* of the surface */
   int stage_count;
@@ -55,17 +58,49 @@ static bool load_mesh(pipeline *p, const lam_net_common *common, lam_mesh *mesh)
   return false;
 }
 
+/* The lines of the surface that the net asks for, by formula or traced. */
+static bool start_net(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
+  const lam_net_source *from = &common->from;
+  const lam_surface_place *placing = p->design->surface.common;
+  lam_place place = p->design->surface.place;
+  lam_chart chart = from->lines ? (lam_chart)(from->lines - 1) : kind->chart;
+  double ranges[2][2];
+  bool closed[2], formula = chart < LAM_CHART_COUNT &&
+                            p->surface.kind->domain(p->surface.data, chart, ranges[0], ranges[1], closed);
+  if (formula && !from->trace) {
+    if (!from->at_given && from->spacing == 0)
+      return lam_net_start(p->arena, &p->surface, chart, common->grid, common->hole, placing, place, p->errors, mesh,
+                           &p->placed);
+    lam_error_add(p->errors, p->design->net.place, from->at_given ? "net.from.at" : "net.from.spacing",
+                  "given, but %s has a formula for its %s lines; expected trace: yes beside it, or u and v of the "
+                  "surface instead",
+                  p->surface.kind->head.name, lam_chart_names[chart]);
+    return false;
+  }
+  lam_trace_options options = {from->at_given ? from->at : NULL, from->spacing, from->base};
+  return lam_net_start_traced(p->arena, &p->surface, chart, common->grid, common->hole, &options, placing,
+                              p->design->net.place, p->errors, mesh, &p->placed);
+}
+
 static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
   const lam_design *design = p->design;
   if (common && common->from.file) return load_mesh(p, common, mesh);
+  if (kind && kind->start) {
+    if (design->surface.head)
+      lam_error_add(p->errors, design->surface.place, "surface", "given, but %s makes its own start; expected none",
+                    kind->head.name);
+    return kind->start(p->arena, design->net.params, common->grid, design->net.place, p->errors, mesh) &&
+           !design->surface.head;
+  }
   if (!design->surface.head) {
     lam_error_add(p->errors, design->net.place, "surface", "not given; expected a surface, or net.from: {file: ...}");
     return false;
   }
   const lam_surface_place *placing = design->surface.common;
   static const int coarse[2] = {surface_grid, surface_grid};
-  return lam_net_start(p->arena, &p->surface, kind ? kind->chart : LAM_CHART_NATURAL, common ? common->grid : coarse,
-                       common ? common->hole : 0, placing, design->surface.place, p->errors, mesh, &p->placed);
+  if (common) return start_net(p, kind, common, mesh);
+  return lam_net_start(p->arena, &p->surface, LAM_CHART_NATURAL, coarse, 0, placing, design->surface.place, p->errors,
+                       mesh, &p->placed);
 }
 
 static bool build_net(pipeline *p, const lam_mesh *mesh, lam_place place) {
@@ -85,12 +120,12 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   const lam_design *design = p->design;
   lam_stage *stage = begin_stage(p, "net");
   lam_net_job job = {kind, design->net.params, common, NULL, design->net.place, p->progress};
-  lam_trimesh reference;
   if (common->reference_given && common->reference.file) {
+    lam_trimesh *reference = LAM_NEW(p->arena, lam_trimesh, 1);
     if (!p->loader || !p->loader->triangles(p->loader->context, p->arena, common->reference.file, design->net.place,
-                                            p->errors, &reference))
+                                            p->errors, reference))
       return false;
-    job.reference = &reference;
+    job.reference = reference;
   }
   lam_net_result result;
   if (!lam_net_optimize(p->arena, &job, p->net, p->errors, &result)) return false;
@@ -101,9 +136,11 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
   stage->residual = result.solution.residual;
   stage->measure_count = result.measure_count;
   stage->measures = result.measures;
+  p->measuring = result.measuring;
   lam_stage_note(p->arena, stage, "%d vertices, %d faces, %d unknowns, %d equations", p->net->mesh.vertex_count,
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
+  if (result.levels) lam_stage_note(p->arena, stage, "%d coarser nets solved first", result.levels);
   if (result.skipped) lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
   if (!result.converged && result.solution.worst)
     lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);
@@ -159,6 +196,25 @@ static void keep_spline(pipeline *p) {
   to->name = "surface";
   p->model->surface_count = 1;
   p->model->surfaces = to;
+}
+
+/* ---- color maps ---- */
+
+static bool make_maps(pipeline *p) {
+  const lam_list *plots = &p->design->plots;
+  int before = p->errors->count;
+  lam_place place = {.file = p->design->path};
+  lam_measures_check(plots, true, place, "plots", p->errors);
+  if (plots->count && !p->net)
+    lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
+  if (p->errors->count > before) return false;
+  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
+  if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
+  for (int i = 0; i < plots->count; i++)
+    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
+  p->model->map_count = plots->count;
+  p->model->maps = maps;
+  return true;
 }
 
 /* ---- where it stands ---- */
@@ -248,7 +304,7 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
   if (errors->count > before) return false;
   report_surface(&p);
-  if (!make_net(&p)) return false;
+  if (!make_net(&p) || !make_maps(&p)) return false;
   keep_spline(&p);
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =

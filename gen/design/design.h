@@ -27,6 +27,7 @@ typedef struct lam_design {
   lam_row surface;             /* common: lam_surface_place (surf/place.h); head is NULL when the design has none */
   lam_row net;                 /* common: lam_net_common (net/kind.h); head is NULL when the design has none */
   lam_list parts;              /* of lam_row, no common keys */
+  lam_list plots;              /* of const char *: measures to be drawn as color maps */
   bool has_render, has_sheets; /* whether the design gives them; they hold the defaults otherwise */
   lam_render_keys render;
   lam_sheet_keys sheets;

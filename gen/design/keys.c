@@ -10,7 +10,7 @@
 #define IN_SHEETS(member) offsetof(lam_sheet_keys, member)
 
 static const char *const languages[] = {"1", NULL};
-const char *const lam_qualities[] = {"draft", "golden", "mask", "middle", "final", "exact", "print", NULL};
+const char *const lam_qualities[] = {"draft", "golden", "mask", "thumb", "middle", "final", "exact", "print", NULL};
 
 static const lam_key render_keys[] = {
     {.name = "setting",
@@ -40,7 +40,8 @@ static const lam_key render_keys[] = {
         .count = 1,
         .initial = "final",
         .choices = lam_qualities,
-        .doc = "A section of templates/pov/render.ini: draft takes seconds and has no indirect light, middle a minute, "
+        .doc = "A section of templates/pov/render.ini: draft takes seconds and has no indirect light, thumb (for small "
+               "pictures) and middle a minute, "
                "final "
                "minutes, print longer; exact is final with the same pixels every time; golden and mask (a flat color "
                "per part) "
@@ -139,6 +140,12 @@ const lam_key lam_design_keys[] = {
      .initial = "[]",
      .rows = &lam_part_kinds,
      .doc = "What is made from the net, in this order."},
+    {.name = "plots",
+     .type = LAM_KEY_TEXT,
+     .offset = IN_DESIGN(plots),
+     .count = 0,
+     .initial = "[]",
+     .doc = "Measures of the net that are drawn as color maps, into plots/: names of `lamella list measures`."},
     {.name = "render",
      .type = LAM_KEY_MAP,
      .offset = IN_DESIGN(render),

@@ -1,7 +1,7 @@
 #include "design/design.h"
 #include "design/fill.h"
 #include "design/tree.h"
-#include "net/kind.h"
+#include "net/handles.h"
 #include "surf/place.h"
 
 #include <string.h>
@@ -56,7 +56,8 @@ static void complain_alone(const lam_filler *filler, const lam_node *root, const
 /* A stage needs the one before it. */
 static void check_stages(const lam_filler *filler, const lam_node *root, const lam_design *design) {
   const lam_net_common *net = design->net.common;
-  if (design->net.head && !net->from.file && !find(root, "surface")) {
+  const lam_net_kind *kind = (const lam_net_kind *)design->net.head;
+  if (kind && !kind->start && !net->from.file && !find(root, "surface")) {
     complain_alone(filler, root, "net", "a net without a surface; expected surface: {...}, or from: {file: mesh.obj}");
   }
   if (design->parts.count > 0 && !find(root, "net")) {
@@ -85,6 +86,8 @@ static void check_root(const lam_filler *filler, const lam_node *root, const lam
   check_name(filler, find(find(root, "render"), "setting"), &setting);
   check_name(filler, find(find(root, "render"), "view"), &view);
   check_stages(filler, root, design);
+  if (design->net.head && !has_message(filler->errors, "net"))
+    lam_handles_check(design->net.common, design->net.place, filler->errors);
   if (design->surface.head && !has_message(filler->errors, "surface"))
     lam_surface_place_check(design->surface.common, design->surface.place, filler->errors);
 }

@@ -259,13 +259,6 @@ static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
   }
 }
 
-static int next_class(const lam_workshop *shop) {
-  int most = 0;
-  for (int i = 0; i < shop->part_count; i++)
-    if (shop->parts[i].congruence > most) most = shop->parts[i].congruence;
-  return most + 1;
-}
-
 static void make(lam_workshop *shop, const void *params, lam_place place) {
   const lam_lamella_keys *k = params;
   lam_lamella_grid *grid = LAM_NEW(shop->arena, lam_lamella_grid, 1);
@@ -276,7 +269,7 @@ static void make(lam_workshop *shop, const void *params, lam_place place) {
   if (!grid->strip_count) lam_error_add(shop->errors, place, "families", "the net has no polylines of these families");
   if (shop->errors->count > before) return;
   int *class = LAM_NEW(shop->arena, int, grid->strip_count);
-  lam_lamella_classes(shop->arena, grid, next_class(shop), class);
+  lam_lamella_classes(shop->arena, grid, lam_workshop_next_class(shop), class);
   bool record = add_record_kind(shop, grid, k);
   lam_strip_measures *measures = LAM_NEW(shop->arena, lam_strip_measures, grid->strip_count);
   for (int i = 0; i < grid->strip_count; i++) {

@@ -101,18 +101,21 @@ lam_strip_measures lam_strip_measure(lam_arena *arena, const lam_lamella_grid *g
 /* ---- the stage "lamellas" ---- */
 
 typedef struct spread {
-  double max, sum;
+  double min, max, sum;
   long count;
 } spread;
 
 static void spread_add(spread *s, double value) {
+  s->min = s->count ? fmin(s->min, value) : value;
   s->max = s->count ? fmax(s->max, value) : value;
   s->sum += value;
   s->count++;
 }
 
 static void measure_spread(lam_workshop *shop, lam_stage *stage, const char *name, const char *unit, const spread *s) {
-  if (s->count) lam_stage_measure(shop->arena, stage, name, unit, s->max, s->sum / (double)s->count, s->count);
+  if (s->count)
+    lam_stage_measure_add(shop->arena, stage,
+                          (lam_measure){name, unit, s->min, s->max, s->sum / (double)s->count, s->count});
 }
 
 static void measure_number(lam_workshop *shop, lam_stage *stage, const char *name, long value, long of) {
@@ -183,8 +186,9 @@ static void measure_angles(lam_workshop *shop, lam_stage *stage, const lam_lamel
   double mean = reference->sum / (double)reference->count;
   for (int i = 0; i < grid->node_count; i++)
     spread_add(&off[shop->net->star_of_vertex[grid->nodes[i].vertex] < 0], fabs(grid->nodes[i].angle - mean) / degree);
-  lam_stage_measure(shop->arena, stage, "crossing_angle", "deg", reference->max / degree, mean / degree,
-                    reference->count);
+  lam_measure crossing = {"crossing_angle",        "deg",         reference->min / degree,
+                          reference->max / degree, mean / degree, reference->count};
+  lam_stage_measure_add(shop->arena, stage, crossing);
   measure_spread(shop, stage, "crossing_angle_deviation", "deg", &off[0]);
   measure_spread(shop, stage, "crossing_angle_deviation_boundary", "deg", &off[1]);
 }

@@ -129,12 +129,6 @@ static lam_flat *washer_flat(lam_arena *arena, const double *angle, const double
 
 /* ---- parts ---- */
 
-static void facts(lam_arena *arena, lam_part *part, const lam_fact *list, int count) {
-  part->facts = LAM_NEW(arena, lam_fact, count);
-  part->fact_count = count;
-  memcpy(part->facts, list, sizeof *list * (size_t)count);
-}
-
 /* z along the normal, x along the bisector of the two families: the four crossings of the sheets of a node lie on the x
  * and the y axis, at any crossing angle. */
 static lam_frame node_frame(const lam_grid_node *node, bool below) {
@@ -145,17 +139,10 @@ static lam_frame node_frame(const lam_grid_node *node, bool below) {
   return (lam_frame){node->x, {x, y, z}};
 }
 
-static int next_class(const lam_workshop *shop) {
-  int most = 0;
-  for (int i = 0; i < shop->part_count; i++)
-    if (shop->parts[i].congruence > most) most = shop->parts[i].congruence;
-  return most + 1;
-}
-
 static void finish(lam_workshop *shop, lam_part *part, const connector_keys *k) {
   part->kind = "node-connector";
   part->family = part->group = -1;
-  part->congruence = next_class(shop);
+  part->congruence = lam_workshop_next_class(shop);
   part->material = &lam_materials[k->material];
   part->mass = lam_trimesh_volume(&part->solid) * part->material->density;
 }
@@ -177,7 +164,7 @@ static void add_washers(lam_workshop *shop, const lam_lamella_grid *grid, const 
                            {"size", "m", 2 * k->arm},
                            {"thickness", "m", k->washer},
                            {"hole", "m", bolts[k->bolt].hole * mm}};
-  facts(shop->arena, &part, list, sizeof list / sizeof list[0]);
+  lam_part_set_facts(shop->arena, &part, list, sizeof list / sizeof list[0]);
   lam_workshop_part(shop, part);
 }
 
@@ -203,7 +190,7 @@ static void add_bolts(lam_workshop *shop, const lam_lamella_grid *grid, const co
   finish(shop, &part, k);
   const lam_fact list[] = {
       {"mass", "kg", part.mass}, {"diameter", "m", diameter}, {"size", "m", outer - end}, {"grip", "m", 2 * outer}};
-  facts(shop->arena, &part, list, sizeof list / sizeof list[0]);
+  lam_part_set_facts(shop->arena, &part, list, sizeof list / sizeof list[0]);
   lam_workshop_part(shop, part);
 }
 

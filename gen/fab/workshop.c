@@ -1,5 +1,9 @@
 #include "fab/workshop.h"
 
+#include "core/mesh.h"
+#include "core/topology.h"
+#include <math.h>
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -29,6 +33,31 @@ void lam_workshop_record_kind(lam_workshop *w, lam_record_kind kind) {
   w->record_kinds[w->record_kind_count++] = kind;
 }
 
+int lam_workshop_next_class(const lam_workshop *w) {
+  int most = 0;
+  for (int i = 0; i < w->part_count; i++)
+    if (w->parts[i].congruence > most) most = w->parts[i].congruence;
+  return most + 1;
+}
+
+void lam_part_set_facts(lam_arena *arena, lam_part *part, const lam_fact *facts, int count) {
+  part->facts = LAM_NEW(arena, lam_fact, count);
+  part->fact_count = count;
+  memcpy(part->facts, facts, sizeof *facts * (size_t)count);
+}
+
+bool lam_part_is_sound(lam_arena *arena, const lam_part *part) {
+  const lam_trimesh *solid = &part->solid;
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  lam_topology topology;
+  int *component = LAM_NEW(arena, int, solid->triangle_count);
+  int(*fan)[3] = (int(*)[3])lam_arena_alloc(arena, (size_t)solid->triangle_count, sizeof *fan);
+  bool sound = lam_topology_make(solid, component, fan, &topology) == LAM_OK && topology.closed && topology.oriented &&
+               topology.components == 1 && topology.fans == topology.vertices && lam_trimesh_volume(solid) > 0;
+  lam_arena_release(arena, mark);
+  return sound;
+}
+
 lam_stage *lam_workshop_stage(lam_workshop *w, const char *name) {
   w->stages = room(w->arena, w->stages, w->stage_count, &w->stage_capacity, sizeof *w->stages);
   lam_stage *stage = &w->stages[w->stage_count++];
@@ -36,12 +65,16 @@ lam_stage *lam_workshop_stage(lam_workshop *w, const char *name) {
   return stage;
 }
 
-void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
-                       long count) {
+void lam_stage_measure_add(lam_arena *arena, lam_stage *stage, lam_measure measure) {
   int capacity = stage->measure_count; /* a stage has few measures: the array is copied for each */
   lam_measure *measures = room(arena, stage->measures, stage->measure_count, &capacity, sizeof *measures);
-  measures[stage->measure_count++] = (lam_measure){name, unit, max, mean, count};
+  measures[stage->measure_count++] = measure;
   stage->measures = measures;
+}
+
+void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
+                       long count) {
+  lam_stage_measure_add(arena, stage, (lam_measure){name, unit, NAN, max, mean, count});
 }
 
 void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) {

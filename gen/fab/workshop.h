@@ -44,7 +44,14 @@ lam_part *lam_workshop_part(lam_workshop *workshop, lam_part part);
 void lam_workshop_crossing(lam_workshop *workshop, lam_crossing crossing);
 void lam_workshop_record_kind(lam_workshop *workshop, lam_record_kind kind);
 lam_stage *lam_workshop_stage(lam_workshop *workshop, const char *name);
-/* Adds a measure to a stage; name and unit are kept by pointer. */
+/* The first number of a congruence class that no part has yet. */
+int lam_workshop_next_class(const lam_workshop *workshop);
+/* Gives a part a copy of facts. */
+void lam_part_set_facts(lam_arena *arena, lam_part *part, const lam_fact *facts, int count);
+/* Whether the part's solid is closed, oriented outward and in one piece. */
+bool lam_part_is_sound(lam_arena *arena, const lam_part *part);
+/* Adds a measure to a stage; name and unit are kept by pointer. The second form is for those without a minimum. */
+void lam_stage_measure_add(lam_arena *arena, lam_stage *stage, lam_measure measure);
 void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit, double max, double mean,
                        long count);
 void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) __attribute__((format(printf, 3, 4)));

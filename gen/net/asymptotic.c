@@ -1,3 +1,4 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 #include <math.h>
@@ -11,17 +12,28 @@ typedef struct params {
 
 static const double right_angle = 3.14159265358979323846 / 2;
 
-static void constrain(lam_scope *scope, const void *given, lam_place place) {
-  const params *p = given;
-  lam_star_params star = {p->border};
-  lam_con_planar_star.add(scope, &star, 1, place);
+static void check(lam_scope *scope, const params *p, lam_place place) {
   if (p->orthogonal && p->angle_given && fabs(p->angle - right_angle) > 1e-12)
     lam_error_add(scope->errors, place, "net.angle", "%g deg together with orthogonal: yes; expected one of the two",
                   p->angle * 90 / right_angle);
+}
+
+static void constrain(lam_scope *scope, const void *given, lam_place place) {
+  const params *p = given;
+  lam_star_params star = {.border = p->border};
+  check(scope, p, place);
+  lam_con_planar_star.add(scope, &star, 1, place);
   if (p->orthogonal)
     lam_con_orthogonal.add(scope, &star, 1, place);
   else if (p->angle_given)
-    lam_con_angle.add(scope, &(lam_angle_params){p->angle, p->border}, 1, place);
+    lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .border = p->border}, 1, place);
+}
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_place place) {
+  const params *p = given;
+  check(scope, p, place);
+  lam_thesis_planar_stars(scope, p->border);
+  if (p->orthogonal || p->angle_given) lam_thesis_angle(scope, p->orthogonal ? right_angle : p->angle, p->border);
 }
 
 static double target_angle(const void *given) {
@@ -75,4 +87,5 @@ const lam_net_kind lam_net_asymptotic = {
     .guide = {LAM_FAIR_POSITION, .3, 0},
     .constrain = constrain,
     .measures = measures,
-    .target_angle = target_angle};
+    .target_angle = target_angle,
+    .constrain_thesis = constrain_thesis};

@@ -1,6 +1,9 @@
-#include "net/kind.h"
+#include "net/handles.h"
 
 static const char *const stages[] = {"surface", NULL};
+static const char *const line_choices[] = {"auto",     "natural",           "asymptotic",     "principal",
+                                           "diagonal", "geodesic-parallel", "geodesic-polar", NULL};
+static const char *const base_choices[] = {"u", "v", NULL};
 static const char *const boundaries[] = {"free", "fixed", "glide", NULL};
 
 #define AT(type, member) .offset = offsetof(type, member)
@@ -19,28 +22,48 @@ static const lam_key source_keys[] = {
      .count = 1,
      .initial = "~",
      .doc = "A quad mesh (OBJ, meters) instead, relative to the design file."},
-    {0}};
-
-static const lam_key handle_keys[] = {
-    {.name = "vertex",
-     .type = LAM_KEY_INTEGER,
-     AT(lam_handle, vertex),
+    {.name = "lines",
+     .type = LAM_KEY_CHOICE,
+     AT(lam_net_source, lines),
+     .count = 1,
+     .initial = "auto",
+     .choices = line_choices,
+     .doc = "The lines of the surface that the net follows; auto: those that its kind starts from. Where the surface "
+            "has no formula for them they are traced: u and v of the surface are its own ranges then, and the net is "
+            "the largest piece of lines that all cross. geodesic-parallel: geodesics at right angles to a parameter "
+            "line, and points at equal distance from it. geodesic-polar: grid [rings, spokes] around a point; `hole` "
+            "rings, at least one, are left out."},
+    {.name = "trace",
+     .type = LAM_KEY_FLAG,
+     AT(lam_net_source, trace),
+     .count = 1,
+     .initial = "no",
+     .doc = "Traces the lines even where there is a formula."},
+    {.name = "at",
+     .type = LAM_KEY_NUMBER,
+     AT(lam_net_source, at),
      .count = 2,
-     .doc = "Grid position [i, j]; [index, -1] on a mesh from a file or around a flat point."},
-    {.name = "to",
+     .initial = "",
+     .given_offset = offsetof(lam_net_source, at_given),
+     .doc = "Traced lines: the point (u, v) that both base lines run through; the pole of geodesic-polar. Left out: "
+            "the middle."},
+    {.name = "spacing",
      .type = LAM_KEY_NUMBER,
      .unit = LAM_UNIT_LENGTH,
-     AT(lam_handle, to),
-     .count = 3,
-     .doc = "Where the vertex has to be."},
-    {.name = "steps",
-     .type = LAM_KEY_INTEGER,
-     AT(lam_handle, steps),
+     AT(lam_net_source, spacing),
      .count = 1,
-     .initial = "1",
-     .min = 1,
-     .max = 1000,
-     .doc = "The handle is moved there in this many steps; the net is solved after each."},
+     .initial = "0",
+     .min = 0,
+     .max = 1e6,
+     .doc = "Traced lines: their distance on the base lines, before `size` scales the surface; the net has at most "
+            "`grid` cells then. 0: `grid` cells over the whole length."},
+    {.name = "base",
+     .type = LAM_KEY_CHOICE,
+     AT(lam_net_source, base),
+     .count = 1,
+     .initial = "u",
+     .choices = base_choices,
+     .doc = "geodesic-parallel: the geodesics start from the line of constant u or of constant v through `at`."},
     {0}};
 
 static const lam_key reference_keys[] = {{.name = "file",
@@ -60,7 +83,28 @@ static const lam_key reference_keys[] = {{.name = "file",
                                           .doc = "Weight of the distance against the constraints."},
                                          {0}};
 
+static const char *const methods[] = {"lamella", "thesis", NULL};
+
 static const lam_key solver_keys[] = {
+    {.name = "method",
+     .type = LAM_KEY_CHOICE,
+     AT(lam_solver_keys, method),
+     .count = 1,
+     .initial = "lamella",
+     .choices = methods,
+     .doc = "lamella: the vertices are the unknowns, and damped steps never raise the residual. thesis: auxiliary "
+            "unknowns, "
+            "equations that are at most quadratic, full Gauss-Newton steps (thesis 3.7): for comparison."},
+    {.name = "epsilon",
+     .type = LAM_KEY_NUMBER,
+     AT(lam_solver_keys, epsilon),
+     .count = 1,
+     .initial = "1e-3",
+     .min = 1e-8,
+     .max = 1,
+     .doc = "Damping of the method thesis: how strongly a step is held back, the same in all steps. The thesis takes "
+            "1e-3; "
+            "sphere centers need 1e-6."},
     {.name = "fairness",
      .type = LAM_KEY_NUMBER,
      AT(lam_solver_keys, fairness),
@@ -156,6 +200,16 @@ const lam_key lam_net_common_keys[] = {
      .min = 0,
      .max = 6,
      .doc = "Interpolating subdivisions of the start (four-point rule along the polylines)."},
+    {.name = "levels",
+     .type = LAM_KEY_INTEGER,
+     AT(lam_net_common, levels),
+     .count = 1,
+     .initial = "0",
+     .min = 0,
+     .max = 8,
+     .given_offset = offsetof(lam_net_common, levels_given),
+     .doc = "Coarser nets, every other line left out, that are solved first; as many as the grid can be halved. Left "
+            "out: the net's own, and none with fewer than 64 faces."},
     {.name = "boundary",
      .type = LAM_KEY_CHOICE,
      AT(lam_net_common, boundary),
@@ -168,9 +222,9 @@ const lam_key lam_net_common_keys[] = {
      AT(lam_net_common, handles),
      .count = 0,
      .initial = "[]",
-     .keys = handle_keys,
+     .keys = lam_handle_keys,
      .size = sizeof(lam_handle),
-     .doc = "Vertices that have to be at given places."},
+     .doc = "Vertices and sides that have to be at given places."},
     {.name = "constraints",
      .type = LAM_KEY_ROW,
      AT(lam_net_common, constraints),
@@ -178,6 +232,12 @@ const lam_key lam_net_common_keys[] = {
      .initial = "[]",
      .rows = &lam_constraints,
      .doc = "Further constraints beside the net's own."},
+    {.name = "measures",
+     .type = LAM_KEY_TEXT,
+     AT(lam_net_common, measures),
+     .count = 0,
+     .initial = "[]",
+     .doc = "Further measures for the report: names of `lamella list measures`."},
     {.name = "reference",
      .type = LAM_KEY_MAP,
      AT(lam_net_common, reference),

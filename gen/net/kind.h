@@ -29,6 +29,10 @@ typedef struct lam_net_kind {
   /* The same constraints in the form of thesis 3.7, with auxiliary unknowns and equations that are at most quadratic;
    * NULL: the thesis gives none. */
   void (*constrain_thesis)(lam_scope *scope, const void *params, lam_place place);
+  /* Makes the mesh that the net starts from, of grid cells, where it is not sampled from a surface; NULL: it is. A mesh
+   * from a file comes first. On wrong input adds to errors and returns false. */
+  bool (*start)(lam_arena *arena, const void *params, const int grid[2], lam_place place, lam_errors *errors,
+                lam_mesh *mesh);
 } lam_net_kind;
 
 extern const lam_registry lam_nets;
@@ -39,12 +43,24 @@ typedef enum lam_boundary { LAM_BOUNDARY_FREE, LAM_BOUNDARY_FIXED, LAM_BOUNDARY_
 typedef struct lam_net_source {
   int stage; /* 0: the surface */
   const char *file;
+  int lines;  /* 0: those that the net's kind asks for; else the chart + 1 */
+  bool trace; /* traced even where the surface has the chart in closed form */
+  double at[2];
+  bool at_given;
+  double spacing; /* meters before `size`; 0: as far as the lines reach */
+  int base;       /* geodesic parallels: 0: of a line u = const, 1: of a line v = const */
 } lam_net_source;
 
 typedef struct lam_handle {
-  int vertex[2];
-  double to[3];
+  int vertex[2]; /* {index, -1} */
+  double to[3];  /* meters */
   int steps;
+  bool release;
+  /* As the design gives it (net/handles.h); with nothing of this, vertex and to are meant. */
+  lam_list index, goal; /* of int; of double */
+  double at[3], by[3];
+  bool at_given, by_given, side_given;
+  int side, degree;
 } lam_handle;
 
 typedef struct lam_reference_keys {
@@ -52,7 +68,11 @@ typedef struct lam_reference_keys {
   double weight;
 } lam_reference_keys;
 
+typedef enum lam_method { LAM_METHOD_LAMELLA, LAM_METHOD_THESIS } lam_method;
+
 typedef struct lam_solver_keys {
+  int method; /* lam_method */
+  double epsilon;
   double fairness, closeness, stiffness, tolerance;
   bool fairness_given, closeness_given, stiffness_given, tolerance_given, fair_given;
   int fair; /* lam_fair */
@@ -65,9 +85,12 @@ typedef struct lam_net_common {
   int grid[2];
   int hole;
   int subdivide;
+  int levels;
+  bool levels_given;
   int boundary;         /* lam_boundary */
   lam_list handles;     /* of lam_handle */
   lam_list constraints; /* of lam_row of lam_constraints */
+  lam_list measures;    /* of const char *: for the report, beside the kind's own */
   lam_reference_keys reference;
   bool reference_given;
   lam_solver_keys solver;

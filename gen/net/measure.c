@@ -4,15 +4,63 @@
 #include <math.h>
 #include <string.h>
 
-extern const lam_measure_kind lam_measure_star_planarity, lam_measure_face_planarity, lam_measure_angle_deviation,
-    lam_measure_crossing_angle, lam_measure_turning_angle, lam_measure_edge_length, lam_measure_shortest_edge,
-    lam_measure_foldovers, lam_measure_flatness;
+/* The list of measures. To add one: write it into a file measure_*.c, and add its line here. */
+/* clang-format off */
+#define MEASURES(row) \
+  row(star_planarity) \
+  row(face_planarity) \
+  row(angle_deviation) \
+  row(crossing_angle) \
+  row(turning_angle) \
+  row(edge_length) \
+  row(shortest_edge) \
+  row(foldovers) \
+  row(flatness) \
+  row(edge_variation) \
+  row(opposite_edge_difference) \
+  row(star_sphericity) \
+  row(star_curvature) \
+  row(curvature_spread) \
+  row(circle_angle_deviation) \
+  row(turning_angle_u) \
+  row(turning_angle_v) \
+  row(edge_ratio) \
+  row(mean_curvature) \
+  row(gauss_curvature) \
+  row(curvature_ratio) \
+  row(cotangent_mean_curvature) \
+  row(gauss_image_area) \
+  row(gauss_image_area_signed) \
+  row(angle_defect) \
+  row(principal_deviation) \
+  row(distance_to_reference) \
+  row(distance_from_reference) \
+  row(opposite_angle) \
+  row(angle_spread) \
+  row(geodesic_error_u) \
+  row(geodesic_error_v) \
+  row(orthogonality) \
+  row(straightness_u) \
+  row(straightness_v) \
+  row(clairaut_u) \
+  row(clairaut_v) \
+  row(edge_variation_u) \
+  row(edge_variation_v) \
+  row(spacing_u) \
+  row(spacing_v) \
+  row(edge_strain) \
+  row(shear_strain) \
+  row(circularity) \
+  row(conicality) \
+  row(cross_ratio) \
+  row(incircle_contact)
+/* clang-format on */
 
-const lam_measure_kind *const lam_measures[] = {
-    &lam_measure_star_planarity, &lam_measure_face_planarity, &lam_measure_angle_deviation,
-    &lam_measure_crossing_angle, &lam_measure_turning_angle,  &lam_measure_edge_length,
-    &lam_measure_shortest_edge,  &lam_measure_foldovers,      &lam_measure_flatness,
-};
+#define DECLARE(name) extern const lam_measure_kind lam_measure_##name;
+MEASURES(DECLARE)
+
+#define POINT(name) &lam_measure_##name,
+const lam_measure_kind *const lam_measures[] = {MEASURES(POINT)};
 const int lam_measure_count = sizeof lam_measures / sizeof *lam_measures;
 
 const lam_measure_kind *lam_measure_find(const char *name) {
@@ -44,15 +92,17 @@ double *lam_measure_values(const lam_measure_kind *kind, const lam_measuring *in
 }
 
 lam_measure lam_measure_summary(const lam_measure_kind *kind, const double *values, int count) {
-  lam_measure out = {.name = kind->name, .unit = kind->unit};
+  lam_measure out = {.name = kind->name, .unit = kind->unit, .min = NAN, .max = NAN, .mean = NAN};
+  double sum = 0;
   for (int i = 0; i < count; i++) {
     if (values[i] == LAM_UNDEFINED) continue;
-    /* a value that is not a number stays the largest */
+    /* a value that is not a number stays the smallest and the largest */
+    if (out.count == 0 || (!(values[i] >= out.min) && !isnan(out.min))) out.min = values[i];
     if (out.count == 0 || (!(values[i] <= out.max) && !isnan(out.max))) out.max = values[i];
-    out.mean += values[i];
+    sum += values[i];
     out.count++;
   }
-  if (out.count) out.mean /= (double)out.count;
+  if (out.count) out.mean = sum / (double)out.count;
   return out;
 }
 

@@ -17,6 +17,7 @@ typedef struct lam_measuring {
   const lam_tree *reference;         /* a mesh to compare with; NULL: none */
   const lam_trimesh *reference_mesh; /* of the tree */
   const double *axis;                /* point and direction of a surface of revolution (6 numbers); NULL: none */
+  const lam_vec3 *start;             /* positions that strains are measured against; NULL: none */
 } lam_measuring;
 
 /* What a measure has one value on. */
@@ -40,7 +41,8 @@ const lam_measure_kind *lam_measure_find(const char *name); /* or NULL */
 int lam_measure_size(const lam_measure_kind *kind, const lam_net *net);
 /* One value per element, in in->arena. */
 double *lam_measure_values(const lam_measure_kind *kind, const lam_measuring *in);
-/* Largest, mean and number of the defined values; a value that is not a number is the largest. */
+/* Smallest, largest, mean and number of the defined values; all but the number are NaN when there is none. A value that
+ * is not a number makes them all NaN. */
 lam_measure lam_measure_summary(const lam_measure_kind *kind, const double *values, int count);
 
 /* What measures need, with a right angle as the target and no reference. */

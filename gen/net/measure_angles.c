@@ -20,17 +20,28 @@ static void crossing_angle(const lam_measuring *in, double *values) {
     values[in->net->stars[s].center] = star_angle(in, &in->net->stars[s]) * degrees;
 }
 
-/* Angle between the edge that arrives at a star and the one that leaves it, the larger one of the two families. */
+/* Angle between the edge that arrives at a star and the one that leaves it, in degrees. */
+static double turn(const lam_measuring *in, const lam_star *star, int family) {
+  lam_vec3 c = in->positions[star->center];
+  return lam_angle(lam_sub(in->positions[star->neighbor[family]], c),
+                   lam_sub(c, in->positions[star->neighbor[family + 2]])) *
+         degrees;
+}
+
 static void turning_angle(const lam_measuring *in, double *values) {
   for (int s = 0; s < in->net->star_count; s++) {
     const lam_star *star = &in->net->stars[s];
-    lam_vec3 c = in->positions[star->center];
-    double turn[2];
-    for (int k = 0; k < 2; k++)
-      turn[k] =
-          lam_angle(lam_sub(in->positions[star->neighbor[k]], c), lam_sub(c, in->positions[star->neighbor[k + 2]]));
-    values[star->center] = (turn[1] > turn[0] || isnan(turn[1]) ? turn[1] : turn[0]) * degrees;
+    double u = turn(in, star, 0), v = turn(in, star, 1);
+    values[star->center] = v > u || isnan(v) ? v : u;
   }
+}
+
+static void turning_angle_u(const lam_measuring *in, double *values) {
+  for (int s = 0; s < in->net->star_count; s++) values[in->net->stars[s].center] = turn(in, &in->net->stars[s], 0);
+}
+
+static void turning_angle_v(const lam_measuring *in, double *values) {
+  for (int s = 0; s < in->net->star_count; s++) values[in->net->stars[s].center] = turn(in, &in->net->stars[s], 1);
 }
 
 const lam_measure_kind lam_measure_angle_deviation = {
@@ -42,3 +53,9 @@ const lam_measure_kind lam_measure_crossing_angle = {
 const lam_measure_kind lam_measure_turning_angle = {
     "turning_angle", "deg", "angle by which a polyline turns at a regular vertex, the larger one of both families",
     LAM_ON_VERTICES, turning_angle};
+const lam_measure_kind lam_measure_turning_angle_u = {"turning_angle_u", "deg",
+                                                      "angle by which polylines of family 0 turn at regular vertices",
+                                                      LAM_ON_VERTICES, turning_angle_u};
+const lam_measure_kind lam_measure_turning_angle_v = {"turning_angle_v", "deg",
+                                                      "angle by which polylines of family 1 turn at regular vertices",
+                                                      LAM_ON_VERTICES, turning_angle_v};

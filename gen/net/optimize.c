@@ -1,5 +1,7 @@
 #include "net/optimize.h"
+#include "net/handles.h"
 #include "net/measure.h"
+#include "net/multilevel.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,6 +17,8 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
+  int levels;  /* coarser nets that were solved before */
+  bool let_go; /* handles with release: yes no longer hold */
 } attempt;
 
 static void prepare_reference(attempt *a) {
@@ -29,18 +33,6 @@ static void prepare_reference(attempt *a) {
   else
     lam_arena_defer(a->arena, lam_tree_free, tree);
   a->tree = tree;
-}
-
-/* Grid position or index of a handle; -1 with an error when there is no such vertex. */
-static int handle_vertex(const attempt *a, const lam_handle *handle) {
-  int n = a->net->mesh.vertex_count, columns = a->job->common->grid[1] + 1, i = handle->vertex[0],
-      j = handle->vertex[1];
-  bool is_grid = !a->job->common->from.file && n == (a->job->common->grid[0] + 1) * columns;
-  int v = j < 0 ? i : is_grid && j < columns ? i * columns + j : -1;
-  if (v >= 0 && v < n) return v;
-  lam_error_add(a->errors, a->job->place, "net.handles", "vertex [%d, %d] does not exist; expected %s%d vertices", i, j,
-                is_grid ? "a position on the grid, or [index, -1], of " : "[index, -1] of ", n);
-  return -1;
 }
 
 static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scope) {
@@ -59,21 +51,27 @@ static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scop
 static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *start, double share) {
   const lam_list *handles = &a->job->common->handles;
   lam_vec3 *targets = LAM_NEW(a->arena, lam_vec3, handles->count);
+  int *vertices = LAM_NEW(a->arena, int, handles->count), count = 0;
   for (int h = 0; h < handles->count; h++) {
     const lam_handle *handle = (const lam_handle *)handles->items + h;
+    if (a->let_go && handle->release) continue;
     lam_vec3 to = lam_scale(lam_v3(handle->to[0], handle->to[1], handle->to[2]), 1 / a->unit);
-    targets[h] = lam_mix(start[a->handle_vertices[h]], to, share);
+    vertices[count] = a->handle_vertices[h];
+    targets[count++] = lam_mix(start[a->handle_vertices[h]], to, share);
   }
-  lam_closeness_add(scope, "handle", LAM_HARD, 1, handles->count, a->handle_vertices, targets);
+  lam_closeness_add(scope, "handle", LAM_HARD, 1, count, vertices, targets);
 }
 
 /* Fairness and what fades with it. */
 static void add_guide(const attempt *a, lam_scope *scope) {
   const lam_solver_keys *keys = &a->job->common->solver;
   lam_guide guide = a->job->kind->guide;
+  if (keys->method == LAM_METHOD_THESIS) guide = (lam_guide){LAM_FAIR_POSITION, 0, 0};
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
   if (keys->stiffness_given) guide.stiffness = keys->stiffness;
+  /* a fine net that starts from a solved coarse one needs less: closeness to it would keep its creases */
+  guide.closeness *= pow(.5, a->levels);
   lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->place);
   if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->place);
   if (guide.stiffness > 0)
@@ -91,6 +89,36 @@ static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions)
   lam_problem_positions(problem, positions);
 }
 
+/* More equations than unknowns may have no solution: the residual then stays above a floor, whatever the solver does.
+ */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD) equations += problem->blocks[b].count * problem->blocks[b].rows;
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)", solution->reason,
+                                        equations, solution->unknowns);
+}
+
+/* The net's own constraints where the vertices are now, in the form of the thesis. */
+static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
+  const lam_net_job *job = a->job;
+  if (job->kind->constrain_thesis) {
+    job->kind->constrain_thesis(scope, job->params, job->place);
+    return;
+  }
+  const char *names = "";
+  for (int i = 0; i < lam_nets.count; i++)
+    if (((const lam_net_kind *)lam_nets.rows[i])->constrain_thesis)
+      names = lam_arena_printf(a->arena, "%s%s%s", names, *names ? ", " : "", lam_nets.rows[i]->name);
+  lam_error_add(a->errors, job->place, "net.solver",
+                "thesis, but %s has no form with auxiliary unknowns; expected lamella, or one of the nets %s",
+                job->kind->head.name, names);
+}
+
+/* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides. */
+static const double thesis_fairness = .01;
+
 /* One solve from positions (in solver units), with handles moved by the given share of their way. What a constraint
  * keeps (a length, the boundary curve) is that of the start; what guides is the place where this solve begins. */
 static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start, double share, long *skipped) {
@@ -98,26 +126,127 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   const lam_net_common *common = job->common;
   lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, start);
   lam_scope scope = {problem, a->net, a->unit, a->tree, &a->reference, a->errors, 0};
-  job->kind->constrain(&scope, job->params, job->place);
+  bool thesis = common->solver.method == LAM_METHOD_THESIS;
+  if (!thesis) job->kind->constrain(&scope, job->params, job->place);
   for (int i = 0; i < common->constraints.count; i++) {
     const lam_row *row = (const lam_row *)common->constraints.items + i;
     ((const lam_constraint_kind *)row->head)->add(&scope, row->params, 1, row->place);
   }
   fix_boundary(a, problem, &scope);
   memcpy(problem->x, positions, sizeof *positions * (size_t)problem->vertex_count);
+  if (thesis) constrain_by_thesis(a, &scope); /* auxiliary unknowns start from the vertices' places */
   add_handles(a, &scope, start, share);
   if (job->reference) lam_con_proximity.add(&scope, NULL, common->reference.weight, job->place);
   lam_schedule schedule = job->kind->schedule;
+  if (thesis) schedule.fairness = fmin(schedule.fairness, thesis_fairness);
   if (common->solver.fairness_given) schedule.fairness = common->solver.fairness;
   if (common->solver.tolerance_given) schedule.tolerance = common->solver.tolerance;
   schedule.max_iterations = common->solver.iterations;
   lam_solution none = {.reason = "not solved"};
   if (a->errors->count) return none;
+  if (a->let_go) schedule.fairness = 0;
   if (schedule.fairness > 0) add_guide(a, &scope);
-  lam_solution solution = lam_guided_solve(problem, &schedule, job->progress);
+  lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, job->progress)
+                                 : lam_guided_solve(problem, &schedule, job->progress);
+  if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
   return solution;
+}
+
+static bool any_released(const lam_list *handles) {
+  bool any = false;
+  for (int h = 0; h < handles->count; h++) any |= ((const lam_handle *)handles->items)[h].release;
+  return any;
+}
+
+/* Handles on the coarse net: each moves the vertex next to it by its own displacement. */
+static lam_list coarse_handles(const attempt *a, const lam_level *coarse) {
+  const lam_list *handles = &a->job->common->handles;
+  lam_handle *out = LAM_NEW(a->arena, lam_handle, handles->count);
+  int count = 0;
+  for (int h = 0; h < handles->count; h++) {
+    lam_handle handle = ((const lam_handle *)handles->items)[h];
+    int v = a->handle_vertices[h], near = coarse->nearest[v];
+    bool taken = a->job->common->boundary == LAM_BOUNDARY_FIXED && coarse->net.boundary[near];
+    for (int k = 0; k < count; k++) taken |= out[k].vertex[0] == near;
+    if (taken) continue;
+    lam_vec3 away = lam_sub(coarse->net.mesh.vertices[near], a->net->mesh.vertices[v]);
+    handle.vertex[0] = near;
+    handle.vertex[1] = -1;
+    handle.to[0] += away.x, handle.to[1] += away.y, handle.to[2] += away.z;
+    out[count++] = handle;
+  }
+  return (lam_list){count, out};
+}
+
+/* Solves a coarser net first, when there is one, and puts its refined solution into x (solver units). */
+static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net_result *result) {
+  const lam_net_common *common = a->job->common;
+  int levels = common->levels_given ? common->levels : a->job->kind->levels;
+  for (int i = 0; i < common->constraints.count; i++) /* a constraint on a vertex by its number is for this net alone */
+    if (((const lam_row *)common->constraints.items)[i].head == &lam_con_handle.head) levels = 0;
+  lam_level coarse;
+  if (levels < 1 || !lam_level_make(a->arena, a->net, common->levels_given ? 4 : 64, &coarse)) return true;
+  lam_net_common keys = *common;
+  lam_net_job job = *a->job;
+  keys.handles = coarse_handles(a, &coarse);
+  keys.levels = levels - 1;
+  keys.levels_given = common->levels_given;
+  job.common = &keys;
+  lam_net_kind kind = *job.kind;
+  kind.levels = levels - 1;
+  job.kind = &kind;
+  if (!lam_net_optimize(a->arena, &job, &coarse.net, a->errors, result)) return false;
+  lam_vec3 *refined = LAM_NEW(a->arena, lam_vec3, a->net->mesh.vertex_count);
+  lam_level_refine(a->arena, &coarse, refined);
+  for (int v = 0; v < a->net->mesh.vertex_count; v++) {
+    bool held = common->boundary == LAM_BOUNDARY_FIXED && a->net->boundary[v];
+    x[v] = held ? start[v] : lam_scale(refined[v], 1 / a->unit);
+  }
+  result->levels++;
+  return true;
+}
+
+static bool listed(const char *const *names, int count, const char *name) {
+  for (int i = 0; i < count; i++)
+    if (strcmp(names[i], name) == 0) return true;
+  return false;
+}
+
+/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
+static const char *const *measure_names(const attempt *a) {
+  static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
+  const lam_list *more = &a->job->common->measures;
+  const char *const *own = a->job->kind->measures;
+  int count = 0;
+  while (own[count]) count++;
+  const char **names = LAM_NEW(a->arena, const char *, count + more->count + 3);
+  for (int i = 0; i < count; i++) names[i] = own[i];
+  for (int i = 0; a->job->reference && i < 2; i++)
+    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
+  for (int i = 0; i < more->count; i++) {
+    const char *name = ((const char *const *)more->items)[i];
+    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
+  }
+  return names;
+}
+
+/* In meters: the reference gets a tree of its own. */
+static void measure(const attempt *a, const lam_vec3 *start, lam_net_result *result) {
+  const lam_net_job *job = a->job;
+  lam_measuring *in = &result->measuring;
+  *in = lam_measuring_of(a->arena, a->net, a->net->mesh.vertices);
+  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
+  if (!isnan(target)) in->target_angle = target;
+  in->start = start;
+  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
+  if (tree) {
+    lam_arena_defer(a->arena, lam_tree_free, tree);
+    in->reference = tree;
+    in->reference_mesh = job->reference;
+  }
+  result->measures = lam_net_measure(in, measure_names(a), &result->measure_count);
 }
 
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
@@ -131,24 +260,32 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     return false;
   }
   prepare_reference(&a);
-  const lam_list *handles = &job->common->handles;
+  lam_net_common common = *job->common;
+  lam_net_job resolved = *job;
+  common.handles = lam_handles_resolve(arena, job->common, net, net->mesh.vertices, job->place, errors);
+  resolved.common = &common;
+  a.job = &resolved;
+  const lam_list *handles = &common.handles;
   a.handle_vertices = LAM_NEW(arena, int, handles->count);
   for (int h = 0; h < handles->count; h++) {
     const lam_handle *handle = (const lam_handle *)handles->items + h;
-    a.handle_vertices[h] = handle_vertex(&a, handle);
-    if (a.handle_vertices[h] >= 0 && job->common->boundary == LAM_BOUNDARY_FIXED && net->boundary[a.handle_vertices[h]])
-      lam_error_add(errors, job->place, "net.handles",
-                    "vertex [%d, %d] lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
-                    handle->vertex[0], handle->vertex[1]);
+    a.handle_vertices[h] = handle->vertex[0];
     if (handle->steps > steps) steps = handle->steps;
   }
   if (errors->count > before) return false;
-  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n);
+  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n), *begin = LAM_NEW(arena, lam_vec3, n);
+  memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
   for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
-  if (job->common->solver.smooth) smooth(&a, start, x);
-  int iterations = 0;
-  for (int step = 1; step <= steps; step++) {
-    result->solution = solve(&a, x, start, (double)step / steps, &result->skipped);
+  if (!begin_coarse(&a, start, x, result)) return false;
+  a.levels = result->levels;
+  if (a.levels > 0)
+    steps = 1;
+  else if (job->common->solver.smooth)
+    smooth(&a, start, x);
+  int iterations = result->solution.iterations;
+  for (int step = 1; step <= steps + any_released(handles); step++) {
+    a.let_go = step > steps;
+    result->solution = solve(&a, x, start, fmin(1, (double)step / steps), &result->skipped);
     iterations += result->solution.iterations;
     if (errors->count > before) return false;
   }
@@ -156,13 +293,11 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   result->degenerate = lam_net_degenerate(arena, net, start, x);
   result->converged = result->solution.converged && !result->degenerate;
   result->reason = result->degenerate ? result->degenerate : result->solution.reason;
+  result->drift = 0;
   for (int v = 0; v < n; v++) {
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
-  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
-  if (!isnan(target)) measuring.target_angle = target;
-  result->measures = lam_net_measure(&measuring, job->kind->measures, &result->measure_count);
+  measure(&a, begin, result);
   return true;
 }

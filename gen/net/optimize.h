@@ -14,14 +14,16 @@ typedef struct lam_net_job {
 } lam_net_job;
 
 typedef struct lam_net_result {
-  lam_solution solution;
+  lam_solution solution;  /* its iterations are those of all levels and steps together */
+  int levels;             /* coarser nets that were solved first */
   const char *degenerate; /* NULL: none */
   bool converged;         /* solved and not degenerate */
   const char *reason;
   long skipped; /* irregular vertices that constraints on regular stars left out */
   int measure_count;
   lam_measure *measures;
-  double drift; /* largest displacement from the start, in mean edges */
+  lam_measuring measuring; /* what they were measured with; reference_mesh is the caller's */
+  double drift;            /* largest displacement from the start, in mean edges */
 } lam_net_result;
 
 /* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go to errors; false

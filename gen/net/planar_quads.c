@@ -1,8 +1,14 @@
+#include "con/thesis.h"
 #include "net/kind.h"
 
 static void constrain(lam_scope *scope, const void *params, lam_place place) {
   (void)params;
   lam_con_planar_face.add(scope, NULL, 1, place);
+}
+
+static void constrain_thesis(lam_scope *scope, const void *params, lam_place place) {
+  (void)params, (void)place;
+  lam_thesis_planar_faces(scope);
 }
 
 static const char *const measures[] = {"face_planarity", "edge_length", "shortest_edge", "foldovers", "flatness", NULL};
@@ -18,4 +24,5 @@ const lam_net_kind lam_net_planar_quads = {
     .schedule = {.fairness = .3, .hold = 0, .decay = .5, .floor = 2e-3, .tolerance = 1e-10, .max_iterations = 60},
     .guide = {LAM_FAIR_DISPLACEMENT, 0, 1},
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .constrain_thesis = constrain_thesis};

@@ -1,11 +1,32 @@
+/* The list of nets. To add one: write its file, and add its line here. */
 #include "net/kind.h"
 
-extern const lam_net_kind lam_net_asymptotic, lam_net_planar_quads, lam_net_free;
+/* clang-format off */
+#define NETS(row) \
+  row(asymptotic) \
+  row(planar_quads) \
+  row(circular) \
+  row(conical) \
+  row(isothermic) \
+  row(s_isothermic) \
+  row(isogonal_molding) \
+  row(chebyshev) \
+  row(isogonal) \
+  row(s_net) \
+  row(cmc) \
+  row(k_net) \
+  row(geodesic_parallel) \
+  row(geodesic) \
+  row(voss) \
+  row(dog) \
+  row(dig) \
+  row(free)
+/* clang-format on */
 
-static const lam_row_head *const rows[] = {
-    &lam_net_asymptotic.head,
-    &lam_net_planar_quads.head,
-    &lam_net_free.head,
-};
+#define DECLARE(name) extern const lam_net_kind lam_net_##name;
+NETS(DECLARE)
+
+#define POINT(name) &lam_net_##name.head,
+static const lam_row_head *const rows[] = {NETS(POINT)};
 
 const lam_registry lam_nets = {"nets", "net", rows, sizeof rows / sizeof *rows};

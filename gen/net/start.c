@@ -1,5 +1,6 @@
 #include "net/start.h"
 #include "core/mesh.h"
+#include "net/trace.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -105,25 +106,9 @@ lam_vec3 lam_siting_apply(const lam_siting *placement, lam_vec3 x) {
   return x;
 }
 
-bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,
-                   const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh,
-                   lam_siting *placed) {
-  double p[2], q[2];
-  bool closed[2];
-  if (!surface->kind->domain(surface->data, chart, p, q, closed)) {
-    lam_error_add(errors, place, "net.kind", "this net starts from the %s lines of a surface, which %s does not offer",
-                  lam_chart_names[chart], surface->kind->head.name);
-    return false;
-  }
-  bool branched = surface->kind->sectors && surface->kind->sectors(surface->data, chart) > 0;
-  if (!branched && hole > 0) {
-    lam_error_add(errors, place, "net.hole", "%d, but %s has no flat point here; expected 0", hole,
-                  surface->kind->head.name);
-    return false;
-  }
-  bool sampled = branched ? sample_sectors(arena, surface, chart, grid, hole, placing, place, errors, mesh)
-                          : sample_grid(arena, surface, chart, grid, placing, place, errors, mesh);
-  if (!sampled) return false;
+/* Turns, scales and grounds what was sampled. */
+static bool place_mesh(const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh,
+                       lam_siting *placed) {
   for (int v = 0; v < mesh->vertex_count; v++) {
     mesh->vertices[v] = turned(mesh->vertices[v], placing->rotate);
     lam_vec3 x = mesh->vertices[v];
@@ -143,6 +128,33 @@ bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart
   if (placing->ground) done.lift = lam_mesh_ground(mesh);
   if (placed) *placed = done;
   return true;
+}
+
+bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,
+                   const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh,
+                   lam_siting *placed) {
+  double p[2], q[2];
+  bool closed[2];
+  if (chart >= LAM_CHART_COUNT || !surface->kind->domain(surface->data, chart, p, q, closed)) {
+    lam_trace_options plain = {0};
+    return lam_net_start_traced(arena, surface, chart, grid, hole, &plain, placing, place, errors, mesh, placed);
+  }
+  bool branched = surface->kind->sectors && surface->kind->sectors(surface->data, chart) > 0;
+  if (!branched && hole > 0) {
+    lam_error_add(errors, place, "net.hole", "%d, but %s has no flat point here; expected 0", hole,
+                  surface->kind->head.name);
+    return false;
+  }
+  bool sampled = branched ? sample_sectors(arena, surface, chart, grid, hole, placing, place, errors, mesh)
+                          : sample_grid(arena, surface, chart, grid, placing, place, errors, mesh);
+  return sampled && place_mesh(placing, place, errors, mesh, placed);
+}
+
+bool lam_net_start_traced(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,
+                          const struct lam_trace_options *options, const lam_surface_place *placing, lam_place place,
+                          lam_errors *errors, lam_mesh *mesh, lam_siting *placed) {
+  return lam_trace_net(arena, surface, chart, grid, hole, options, placing, place, errors, mesh) &&
+         place_mesh(placing, place, errors, mesh, placed);
 }
 
 double lam_mesh_ground(lam_mesh *mesh) {

@@ -19,13 +19,14 @@ typedef struct lam_schedule {
 
 typedef struct lam_solution {
   bool converged;
-  const char *reason; /* static text */
+  const char *reason;
   int iterations;     /* accepted steps */
   int factorizations;
   double residual, rms; /* hard, at the end */
   const char *worst;    /* block with the largest residual */
   int history_count;
-  double *history; /* largest hard residual before the first and after every step */
+  double *history;         /* largest hard residual before the first and after every step */
+  double seconds_analysis; /* pattern and symbolic analysis, once */
   double seconds_assembly, seconds_factor, seconds_solve, seconds_total;
   lam_factor_stats factor;
   int unknowns, residuals;
@@ -36,6 +37,10 @@ lam_schedule lam_schedule_default(void);
 int lam_schedule_fade(const lam_schedule *schedule);
 /* Solves in place (problem->x). Non-convergence is a result, not an error. */
 lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule, const lam_progress *progress);
+/* The same with full Gauss-Newton steps and the constant damping epsilon^2 of thesis 3.7. Nothing keeps the residual
+ * from rising; soft blocks keep their weight until the fairness is gone, then they are dropped. epsilon > 0. */
+lam_solution lam_gauss_newton_solve(lam_problem *problem, const lam_schedule *schedule, double epsilon,
+                                    const lam_progress *progress);
 /* One linear solve that minimizes the fairness blocks and (closeness to the start)^2 * weight^2: for noisy starts. */
 void lam_guided_smooth(lam_problem *problem, double weight);
 

@@ -8,6 +8,7 @@
   row(nurbs) \
   row(monge) \
   row(revolution) \
+  row(molding) \
   row(enneper) \
   row(catenoid) \
   row(helicoid) \
@@ -35,7 +36,9 @@ const char *const lam_chart_names[] = {[LAM_CHART_NATURAL] = "natural",
                                        [LAM_CHART_ASYMPTOTIC] = "asymptotic",
                                        [LAM_CHART_PRINCIPAL] = "principal",
                                        [LAM_CHART_DIAGONAL] = "diagonal",
-                                       [LAM_CHART_COUNT] = NULL};
+                                       [LAM_CHART_GEODESIC_PARALLEL] = "geodesic-parallel",
+                                       [LAM_CHART_GEODESIC_POLAR] = "geodesic-polar",
+                                       [LAM_CHART_ALL] = NULL};
 
 lam_surface lam_surface_make(lam_arena *arena, const lam_row *row, lam_errors *errors) {
   const lam_surface_kind *kind = (const lam_surface_kind *)row->head; /* the head is a kind's first member */

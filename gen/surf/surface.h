@@ -14,13 +14,17 @@ typedef struct lam_jet {
 
 /* Parameterizations that a net may ask a surface for. NATURAL is the surface's own (u,v). In the others the parameter
  * lines have the named property; DIAGONAL are the diagonals of an isothermic principal grid (a = (p+q)/2, b = (p-q)/2
- * in isothermic coordinates: lines of equal normal curvature on CMC surfaces). */
+ * in isothermic coordinates: lines of equal normal curvature on CMC surfaces). In the geodesic ones the lines of the
+ * first parameter are geodesics, by arc length: at right angles to a curve, or through a pole. */
 typedef enum lam_chart {
   LAM_CHART_NATURAL,
   LAM_CHART_ASYMPTOTIC,
   LAM_CHART_PRINCIPAL,
   LAM_CHART_DIAGONAL,
-  LAM_CHART_COUNT
+  LAM_CHART_COUNT, /* of those that a surface may offer in closed form; the others are always traced (net/trace.h) */
+  LAM_CHART_GEODESIC_PARALLEL = LAM_CHART_COUNT,
+  LAM_CHART_GEODESIC_POLAR,
+  LAM_CHART_ALL
 } lam_chart;
 extern const char *const lam_chart_names[]; /* NULL-terminated */
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Golden files of every shipped design. tests/golden/NAME holds
+# Golden files of the designs that have a folder here. tests/golden/NAME holds
 #   NAME.stl    the first lamella, compared by shape (volume, area, 0.05 mm)
 #   mask.png    every part in a flat color: the decoded pixels must be the same, all of them (by hash)
 #   draft.png   the scene without indirect light: at most .02 % of the pixels may differ by more than 4 of 255
@@ -20,9 +20,10 @@ same_pixels() { # A B: the hashes of the decoded pixels, as lamella diff prints 
 }
 size='render.size=[480,270]'
 
-for file in templates/designs/*.yaml; do
-  name=$(basename "$file" .yaml)
-  golden=tests/golden/$name
+for golden in tests/golden/*/; do
+  golden=${golden%/}
+  name=$(basename "$golden")
+  file=templates/designs/$name.yaml
   out=$work/$name
   "$lamella" build "$file" -o "$out" --only report,stl,pov --set render.quality=golden --quiet >"$work/log" 2>&1
   report $? "$name builds"

@@ -151,9 +151,20 @@ static void every_jacobian_is_the_derivative(void **state) {
 static void jacobians_with_other_parameters(void **state) {
   net_fixture *f = *state;
   check_kind(f, &lam_con_angle, "{angle: 35 deg}");
+  check_kind(f, &lam_con_angle, "{angle: 70 deg, tangents: circle}");
+  check_kind(f, &lam_con_orthogonal, "{tangents: circle, border: yes}");
+  check_kind(f, &lam_con_spherical_star, "{radius: 3 m}");
+  check_kind(f, &lam_con_spherical_star, "{radius: -20 m}");
+  check_kind(f, &lam_con_spherical_star, "{spheres: common}");
   check_kind(f, &lam_con_edge_length, "{length: 700 mm}");
   check_kind(f, &lam_con_edge_length, "{boundary: yes}");
   check_kind(f, &lam_con_fairness, "{of: displacements}");
+  check_kind(f, &lam_con_geodesic_parallel, "{geodesics: 1, border: no}");
+  check_kind(f, &lam_con_equal_angles, "{border: yes}");
+  check_kind(f, &lam_con_equal_edges, "{family: 1, lines: middle}");
+  check_kind(f, &lam_con_jacobi, "{geodesics: 1}");
+  check_kind(f, &lam_con_strip_widths, "{widths: proportional}");
+  check_kind(f, &lam_con_strip_widths, "{widths: constant, geodesics: 1}");
   check_kind(f, &lam_con_handle, "{vertex: [3, -1], to: [1 m, 2 m, 3 m]}");
 }
 
@@ -201,11 +212,31 @@ static void elements_are_complete(void **state) {
       {&lam_con_proximity, "{}", 0, 30, 3},
       {&lam_con_glide, "{}", 0, 14, 3},
       {&lam_con_glide, "{}", 2, 12, 3},
+      {&lam_con_opposite_edges, "{}", 0, 20, 12},
+      {&lam_con_spherical_star, "{}", 0, 12, 15},
+      {&lam_con_spherical_star, "{radius: 9 m}", 3, 18, 15},
+      {&lam_con_spherical_star, "{spheres: common}", 0, 12, 16},
       {&lam_con_planar_star, "{}", 3, 26, 15},
       {&lam_con_orthogonal, "{}", 3, 18, 15},
       {&lam_con_planar_face, "{}", 4, 54, 12},
       {&lam_con_planar_star, "{}", 4, 37, 15},
       {&lam_con_orthogonal, "{}", 4, 36, 15},
+      {&lam_con_geodesic_parallel, "{}", 0, 12 + 8, 15},
+      {&lam_con_geodesic_parallel, "{geodesics: 1}", 0, 12 + 6, 15},
+      {&lam_con_geodesic_parallel, "{border: no}", 0, 12, 15},
+      {&lam_con_geodesic_parallel, "{}", 2, 12, 15},
+      {&lam_con_opposite_angles, "{}", 0, 12, 15},
+      {&lam_con_equal_angles, "{border: yes}", 0, 12 + 14, 15},
+      {&lam_con_equal_edges, "{}", 0, 18, 12},
+      {&lam_con_equal_edges, "{family: 1}", 0, 20, 12},
+      {&lam_con_equal_edges, "{lines: middle}", 0, 3, 12},
+      {&lam_con_equal_edges, "{}", 2, 20, 12},
+      {&lam_con_jacobi, "{}", 0, 15, 18},
+      {&lam_con_jacobi, "{geodesics: 1}", 0, 16, 18},
+      {&lam_con_jacobi, "{}", 2, 18, 18},
+      {&lam_con_strip_widths, "{}", 0, 20, 12},
+      {&lam_con_strip_widths, "{widths: proportional}", 0, 16, 24},
+      {&lam_con_strip_widths, "{widths: constant}", 0, 20, 12},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     subject s = subject_of(f, rows[i].net, rows[i].kind, rows[i].keys);
@@ -267,7 +298,8 @@ static void proximity_needs_a_reference(void **state) {
   lam_con_proximity.add(&scope, NULL, 1, (lam_place){0});
   assert_int_equal(f->errors.count, 1);
   assert_int_equal(problem->block_count, 0);
-  lam_handle_params far = {{9, -1}, {0, 0, 0}};
+  int ninth = 9;
+  lam_handle_params far = {{1, &ninth}, {0, 0, 0}};
   lam_con_handle.add(&scope, &far, 1, (lam_place){0});
   assert_int_equal(f->errors.count, 2);
   assert_int_equal(problem->block_count, 0);

@@ -195,7 +195,7 @@ static void starts_that_cannot_be_are_refused(void **state) {
       {"enneper", "{order: 2}", LAM_CHART_ASYMPTOTIC, 4, 5, 0, "both numbers must be equal"},
       {"enneper", "{order: 2}", LAM_CHART_ASYMPTOTIC, 4, 4, 4, "at most 3"},
       {"enneper", "{order: 1}", LAM_CHART_ASYMPTOTIC, 4, 4, 1, "no flat point"},
-      {"sphere", "{}", LAM_CHART_ASYMPTOTIC, 4, 4, 0, "does not offer"},
+      {"sphere", "{}", LAM_CHART_ASYMPTOTIC, 4, 4, 0, "no asymptotic lines"},
       {"catenoid", "{}", LAM_CHART_PRINCIPAL, 2, 4, 0, "at least 3"},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

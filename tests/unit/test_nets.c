@@ -22,7 +22,7 @@ static lam_list held(net_fixture *f, const lam_mesh *mesh, int n, const char *li
   for (int v = 0; v < mesh->vertex_count; v++)
     if ((strstr(lines, "u0") && v % n == 0) || (strstr(lines, "v0") && v < n)) {
       lam_vec3 x = mesh->vertices[v];
-      handles[count++] = (lam_handle){{v, -1}, {x.x, x.y, x.z}, 1};
+      handles[count++] = (lam_handle){.vertex = {v, -1}, .to = {x.x, x.y, x.z}, .steps = 1};
     }
   return (lam_list){count, handles};
 }

@@ -1,0 +1,11 @@
+#include "formats/xml.h"
+
+void lam_xml_escaped(lam_text *out, const char *string) {
+  for (; *string; string++) {
+    const char *entity = *string == '&' ? "&amp;" : *string == '<' ? "&lt;" : *string == '"' ? "&quot;" : NULL;
+    if (entity)
+      lam_text_add(out, entity);
+    else if ((unsigned char)*string >= ' ')
+      lam_text_bytes(out, string, 1);
+  }
+}

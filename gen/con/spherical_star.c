@@ -1,0 +1,150 @@
+#include "con/circle.h"
+#include "con/constraint.h"
+
+/* Spherical vertex star (S-net, thesis 3.2.3, def. 8 and 10). E_k = v_k - v, circle tangents a of (E1, E3), b of (E2,
+ * E4), N = unit(a x b): the only sphere (or plane) that touches both circles at v has the normal N there. It passes
+ * through v_k when its curvature is
+ *   kappa_k = 2 N.E_k / |E_k|^2                       (1/length; positive: the center lies on the side of N)
+ * N.a = 0 gives kappa_1 = kappa_3, N.b = 0 gives kappa_2 = kappa_4, so two curvatures describe the star:
+ *   own      r  = kappa_1 - kappa_2                   every star its own sphere
+ *   given    r  = kappa_1 - k, kappa_2 - k            k = p[0]; k = 0: the planar star of an asymptotic net
+ *   common   r  = kappa_1 - k, kappa_2 - k            k = x[15], one unknown for all
+ * Jacobian of kappa_i = N.c, c = 2 E_i / |E_i|^2: with M = a x b and g = (c - N (N.c)) / |M|, by a: b x g, by b: g x a,
+ * and by the E_i in c: (2 N - 2 kappa_i E_i) / |E_i|^2. */
+static void curvatures(const double *x, double kappa[2], lam_vec3 dE[2][4]) {
+  lam_vec3 v = lam_local(x, 0), E[4];
+  for (int k = 0; k < 4; k++) E[k] = lam_sub(lam_local(x, k + 1), v);
+  lam_vec3 a = lam_circle_tangent(E[0], E[2]), b = lam_circle_tangent(E[1], E[3]), M = lam_cross(a, b);
+  double size = lam_length(M);
+  lam_vec3 N = lam_scale(M, 1 / size);
+  for (int i = 0; i < 2; i++) {
+    double q = lam_dot(E[i], E[i]);
+    lam_vec3 c = lam_scale(E[i], 2 / q);
+    kappa[i] = lam_dot(N, c);
+    if (!dE) continue;
+    lam_vec3 g = lam_scale(lam_along(c, -kappa[i], N), 1 / size);
+    for (int k = 0; k < 4; k++) dE[i][k] = lam_v3(0, 0, 0);
+    lam_circle_pullback(E[0], E[2], lam_cross(b, g), &dE[i][0], &dE[i][2]);
+    lam_circle_pullback(E[1], E[3], lam_cross(g, a), &dE[i][1], &dE[i][3]);
+    dE[i][i] = lam_along(dE[i][i], 2 / q, lam_along(N, -kappa[i], E[i]));
+  }
+}
+
+static void own_sphere(int n, const double *x, const double *p, double *r, double *J) {
+  (void)p;
+  double kappa[2];
+  lam_vec3 dE[2][4];
+  curvatures(x, kappa, J ? dE : NULL);
+  r[0] = kappa[0] - kappa[1];
+  if (!J) return;
+  for (int c = 0; c < n; c++) J[c] = 0;
+  for (int k = 0; k < 4; k++) dE[0][k] = lam_sub(dE[0][k], dE[1][k]);
+  lam_star_row(J, 4, dE[0]);
+}
+
+static void given_sphere(int n, const double *x, const double *p, double *r, double *J) {
+  double kappa[2];
+  lam_vec3 dE[2][4];
+  curvatures(x, kappa, J ? dE : NULL);
+  for (int i = 0; i < 2; i++) {
+    r[i] = kappa[i] - p[0];
+    if (!J) continue;
+    for (int c = 0; c < n; c++) J[i * n + c] = 0;
+    lam_star_row(J + i * n, 4, dE[i]);
+  }
+}
+
+static void common_sphere(int n, const double *x, const double *p, double *r, double *J) {
+  (void)p;
+  given_sphere(n, x, x + 15, r, J);
+  if (!J) return;
+  for (int i = 0; i < 2; i++) J[i * n + 15] = -1;
+}
+
+/* The mean curvature of all stars at the start. */
+static double mean_at_start(const lam_problem *problem, const int *stars, int count) {
+  double sum = 0;
+  for (int i = 0; i < count; i++) {
+    double x[15], kappa[2];
+    for (int k = 0; k < 5; k++)
+      for (int c = 0; c < 3; c++) x[3 * k + c] = problem->x[3 * stars[5 * i + k] + c];
+    curvatures(x, kappa, NULL);
+    sum += (kappa[0] + kappa[1]) / 2;
+  }
+  return sum / count;
+}
+
+/* The stars with one more node, which holds the curvature of all. */
+static const int *with_common_node(lam_scope *scope, const int *stars, int count) {
+  lam_problem *problem = scope->problem;
+  double start = mean_at_start(problem, stars, count);
+  int node = lam_problem_node(problem, 1, &start), *nodes = LAM_NEW(problem->arena, int, 6 * count);
+  for (int i = 0; i < count; i++) {
+    for (int k = 0; k < 5; k++) nodes[6 * i + k] = stars[5 * i + k];
+    nodes[6 * i + 5] = node;
+  }
+  return nodes;
+}
+
+static bool radius_fits(const lam_scope *scope, double radius, lam_place place) {
+  if (fabs(radius) >= scope->unit / 2) return true;
+  lam_error_add(scope->errors, place, "radius",
+                "given %g m; expected at least half the mean edge, %g m: no sphere that is smaller has such a chord",
+                radius, scope->unit / 2);
+  return false;
+}
+
+static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+  const lam_spherical_star_params *given = params;
+  lam_arena *arena = scope->problem->arena;
+  lam_block block = {.name = "spherical-star", .rows = 2, .weight = weight, .arity = 5};
+  block.count = lam_scope_stars(scope, false, &block.nodes);
+  if (block.count == 0) return;
+  if (given->radius != 0) {
+    if (!radius_fits(scope, given->radius, place)) return;
+    block.kernel = given_sphere;
+    block.param_count = 1;
+    block.params = LAM_NEW(arena, double, block.count);
+    for (int i = 0; i < block.count; i++) block.params[i] = scope->unit / given->radius;
+  } else if (given->spheres == LAM_SPHERES_COMMON) {
+    block.kernel = common_sphere;
+    block.nodes = with_common_node(scope, block.nodes, block.count);
+    block.arity = 6;
+  } else {
+    block.kernel = own_sphere;
+    block.rows = 1;
+  }
+  lam_problem_add(scope->problem, block);
+}
+
+static const char *const sphere_choices[] = {"own", "common", NULL};
+
+static const lam_key keys[] = {
+    {.name = "radius",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     .offset = offsetof(lam_spherical_star_params, radius),
+     .count = 1,
+     .initial = "0",
+     .min = -1e12,
+     .max = 1e12,
+     .doc = "Radius of every sphere; negative when the centers lie behind the surface, seen from the tip of its normal "
+            "(a dome with normals outwards). 0: it is found."},
+    {.name = "spheres",
+     .type = LAM_KEY_CHOICE,
+     .offset = offsetof(lam_spherical_star_params, spheres),
+     .count = 1,
+     .initial = "own",
+     .choices = sphere_choices,
+     .doc = "When the radius is found. own: every star has a sphere of its own; common: all have the same, unknown "
+            "radius."},
+    {0}};
+
+const lam_constraint_kind lam_con_spherical_star = {
+    {"spherical-star", "Spherical vertex stars",
+     "Every regular vertex lies on one sphere with its four neighbors: both polylines have the same normal curvature "
+     "there, and the principal directions halve the angles between them. With one radius for all, strips normal to the "
+     "surface unroll to arcs of that radius. A very large radius is nearly an asymptotic net.",
+     "2 N.E1 / |E1|^2 = 2 N.E2 / |E2|^2 (= 1 / radius), N = unit(t1 x t2), t1 = unit(E1 |E3|^2 - E3 |E1|^2)",
+     "thesis 3.2.3, def. 8 and 10, th. 4 and 5", keys, sizeof(lam_spherical_star_params)},
+    add};

@@ -1,0 +1,108 @@
+#include "con/edge_sums.h"
+#include "con/kernel.h"
+
+/* Widths of strips between geodesics; w(a, s) is the edge across strip s at station a.
+ *   equal         w(a, s) = w(a, s+1)                          all strips have the same width at a station
+ *   proportional  w(a, s) w(b, s+1) = w(a, s+1) w(b, s)        and a factor for each strip (thesis eq. 3.8)
+ *   constant      w(a, s) = w(a+1, s)                          each strip has one width all along */
+static const char *const choices[] = {"equal", "proportional", "constant", NULL};
+static const double difference[2] = {1, -1};
+
+/* r = |E0| |E3| - |E1| |E2|; nodes: the four edges one after the other, two each. */
+static void proportional(int n, const double *x, const double *p, double *r, double *J) {
+  (void)p;
+  lam_vec3 e[4];
+  double length[4];
+  for (int k = 0; k < 4; k++) {
+    lam_vec3 E = lam_sub(lam_local(x, 2 * k + 1), lam_local(x, 2 * k));
+    length[k] = lam_length(E);
+    e[k] = lam_scale(E, 1 / length[k]);
+  }
+  r[0] = length[0] * length[3] - length[1] * length[2];
+  if (!J) return;
+  const double slope[4] = {length[3], -length[2], -length[1], length[0]};
+  for (int c = 0; c < n; c++) J[c] = 0;
+  for (int k = 0; k < 4; k++) {
+    lam_add_to(J, 2 * k + 1, lam_scale(e[k], slope[k]));
+    lam_add_to(J, 2 * k, lam_scale(e[k], -slope[k]));
+  }
+}
+
+static void add_proportional(lam_scope *scope, int family, double weight) {
+  const lam_net *net = scope->net;
+  lam_edge_list list = lam_edge_list_new(scope->problem->arena, 4, net->edge_count);
+  for (int e = 0; e < net->edge_count; e++) {
+    const lam_edge *edge = &net->edges[e];
+    int left[2], right[2], a = edge->vertex[0], b = edge->vertex[1];
+    if (edge->family != family || edge->face[1] < 0) continue;
+    lam_opposite_edge(net, edge->face[0], edge, left);
+    lam_opposite_edge(net, edge->face[1], edge, right);
+    lam_edge_list_push(&list, (int[8]){a, left[0], a, right[0], b, left[1], b, right[1]});
+  }
+  lam_problem_add(scope->problem, (lam_block){.name = "strip-widths",
+                                              .kernel = proportional,
+                                              .rows = 1,
+                                              .weight = weight,
+                                              .count = list.count,
+                                              .arity = 8,
+                                              .nodes = list.nodes});
+}
+
+/* Both ends of every geodesic edge: the edges across in the face on one of its sides. */
+static void add_constant(lam_scope *scope, int family, double weight) {
+  const lam_net *net = scope->net;
+  lam_edge_list list = lam_edge_list_new(scope->problem->arena, 2, net->mesh.face_count);
+  bool *done = LAM_NEW(scope->problem->arena, bool, net->mesh.face_count);
+  for (int e = 0; e < net->edge_count; e++)
+    for (int side = 0; side < 2; side++) {
+      const lam_edge *edge = &net->edges[e];
+      int f = edge->face[side], other[2];
+      if (edge->family != family || f < 0 || done[f]) continue;
+      done[f] = true;
+      lam_opposite_edge(net, f, edge, other);
+      lam_edge_list_push(&list, (int[4]){edge->vertex[0], other[0], edge->vertex[1], other[1]});
+    }
+  lam_edge_sum_add(scope, "strip-widths", weight, &list, difference);
+}
+
+static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+  const lam_strip_params *given = params;
+  switch ((lam_widths)given->widths) {
+  case LAM_WIDTHS_EQUAL:
+    lam_con_equal_edges.add(scope, &(lam_equal_edges_params){!given->family, LAM_LINES_ALL}, weight, place);
+    break;
+  case LAM_WIDTHS_PROPORTIONAL:
+    add_proportional(scope, given->family, weight);
+    break;
+  case LAM_WIDTHS_CONSTANT:
+    add_constant(scope, given->family, weight);
+    break;
+  }
+}
+
+static const lam_key keys[] = {{.name = "geodesics",
+                                .type = LAM_KEY_INTEGER,
+                                .offset = offsetof(lam_strip_params, family),
+                                .count = 1,
+                                .initial = "0",
+                                .min = 0,
+                                .max = 1,
+                                .doc = "Family whose lines bound the strips: 0, along u, or 1, along v."},
+                               {.name = "widths",
+                                .type = LAM_KEY_CHOICE,
+                                .offset = offsetof(lam_strip_params, widths),
+                                .count = 1,
+                                .initial = "equal",
+                                .choices = choices,
+                                .doc =
+                                    "equal: at every line across, all strips have the same width; proportional: up to "
+                                    "a factor for each strip; constant: each strip has one width all along."},
+                               {0}};
+
+const lam_constraint_kind lam_con_strip_widths = {
+    {"strip-widths", "Widths of strips",
+     "Controls the widths of the strips between geodesics. With equal or proportional widths and geodesic-parallel the "
+     "net is isometric to a surface of revolution, and equal strips unroll to copies of one pattern; with constant "
+     "widths it is nearly developable.",
+     "w(a, s) w(b, s+1) = w(a, s+1) w(b, s)", "thesis 3.3.3, eq. 3.8, and 4.4.1", keys, sizeof(lam_strip_params)},
+    add};

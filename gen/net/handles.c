@@ -1,0 +1,257 @@
+#include "net/handles.h"
+#include "curve/basis.h"
+#include "net/sides.h"
+
+#include <math.h>
+
+#define AT(member) .offset = offsetof(lam_handle, member)
+
+const lam_key lam_handle_keys[] = {
+    {.name = "vertex",
+     .type = LAM_KEY_INTEGER,
+     AT(index),
+     .initial = "[]",
+     .doc = "One vertex: grid position [i, j], or its index, from 0 in the order of the OBJ file."},
+    {.name = "at",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     AT(at),
+     .count = 3,
+     .initial = "",
+     .given_offset = offsetof(lam_handle, at_given),
+     .doc = "Or the vertex of the start that is nearest to this point."},
+    {.name = "side",
+     .type = LAM_KEY_CHOICE,
+     AT(side),
+     .count = 1,
+     .initial = "u0",
+     .choices = lam_side_names,
+     .given_offset = offsetof(lam_handle, side_given),
+     .doc = "Or a whole side: u0 and u1 are where the lines of family 0 begin and end, v0 and v1 the same for family "
+            "1."},
+    {.name = "to",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     AT(goal),
+     .initial = "[]",
+     .doc = "Where it has to be: x, y, z. For a side the control points of a B-spline, one after the other, from its "
+            "beginning to its end; its vertices come to the same shares of the curve's length that they have of the "
+            "side's."},
+    {.name = "by",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     AT(by),
+     .count = 3,
+     .initial = "",
+     .given_offset = offsetof(lam_handle, by_given),
+     .doc = "Or how far it moves from the start."},
+    {.name = "degree",
+     .type = LAM_KEY_INTEGER,
+     AT(degree),
+     .count = 1,
+     .initial = "3",
+     .min = 1,
+     .max = 9,
+     .doc = "Of the B-spline of a side, at most the number of its points less one; 1: a polyline."},
+    {.name = "steps",
+     .type = LAM_KEY_INTEGER,
+     AT(steps),
+     .count = 1,
+     .initial = "1",
+     .min = 1,
+     .max = 1000,
+     .doc = "The handle is moved there in this many steps; the net is solved after each."},
+    {.name = "release",
+     .type = LAM_KEY_FLAG,
+     AT(release),
+     .count = 1,
+     .initial = "no",
+     .doc = "The handle lets go at the end, and the net comes to rest where its constraints allow."},
+    {0}};
+
+/* Made by a program, not by keys: `vertex` and `to` are meant. */
+static bool is_plain(const lam_handle *handle) {
+  return !handle->index.count && !handle->goal.count && !handle->at_given && !handle->side_given && !handle->by_given;
+}
+
+static const char *problem_of(const lam_handle *handle) {
+  int places = (handle->index.count > 0) + handle->at_given + handle->side_given;
+  if (places != 1) return places ? "several of vertex, at and side" : "none of vertex, at and side";
+  if (handle->index.count > 2) return "a vertex with more than two numbers";
+  if (!handle->goal.count && !handle->by_given) return "neither to nor by";
+  if (handle->goal.count && handle->by_given) return "both to and by";
+  if (handle->by_given) return NULL;
+  if (handle->side_given) {
+    if (handle->goal.count % 3 != 0 || handle->goal.count < 6) return "to without x, y, z of at least two points";
+  } else if (handle->goal.count != 3)
+    return "to without the three numbers x, y, z";
+  return NULL;
+}
+
+void lam_handles_check(const lam_net_common *common, lam_place place, lam_errors *errors) {
+  for (int h = 0; h < common->handles.count; h++) {
+    const char *problem = problem_of((const lam_handle *)common->handles.items + h);
+    if (problem)
+      lam_error_add(errors, place, lam_arena_printf(errors->arena, "net.handles[%d]", h),
+                    "given %s; expected one of vertex: [i, j], at: [x, y, z] and side: u0, with to or by", problem);
+  }
+}
+
+/* ---- vertices ---- */
+
+typedef struct resolver {
+  lam_arena *arena;
+  const lam_net_common *common;
+  const lam_net *net;
+  const lam_vec3 *positions;
+  lam_place place;
+  lam_errors *errors;
+  int count, capacity;
+  lam_handle *handles;
+} resolver;
+
+/* On a closed net from a surface i and j count the grid's lines; -1: no such net. */
+static int closed_grid_vertex(const resolver *r, int i, int j) {
+  const lam_net *net = r->net;
+  const int *grid = r->common->grid;
+  lam_polyline line;
+  if (r->common->from.file || (net->loop_count && net->loop_count != 2)) return -1;
+  bool along_u = net->loop_count && lam_net_side(r->arena, net, LAM_SIDE_V0, &line);
+  bool along_v = net->loop_count && lam_net_side(r->arena, net, LAM_SIDE_U0, &line);
+  if (net->loop_count && !along_u && !along_v) return -1;
+  int rows = grid[0] + along_v, columns = grid[1] + along_u;
+  bool inside = i >= 0 && j >= 0 && i < rows && j < columns;
+  return inside && net->mesh.vertex_count == rows * columns ? i * columns + j : -1;
+}
+
+static int nearest(const resolver *r, lam_vec3 x) {
+  int best = 0;
+  for (int v = 1; v < r->net->mesh.vertex_count; v++)
+    if (lam_distance(r->positions[v], x) < lam_distance(r->positions[best], x)) best = v;
+  return best;
+}
+
+static int find_vertex(const resolver *r, const lam_handle *handle) {
+  int n = r->net->mesh.vertex_count;
+  if (handle->at_given) return nearest(r, lam_v3(handle->at[0], handle->at[1], handle->at[2]));
+  const int *index = handle->index.items;
+  int i = is_plain(handle) ? handle->vertex[0] : index[0], v = i;
+  if (!is_plain(handle) && handle->index.count == 2 && index[1] != -1) {
+    v = lam_net_grid_vertex(r->arena, r->net, i, index[1]);
+    if (v < 0) v = closed_grid_vertex(r, i, index[1]);
+    if (v < 0) {
+      lam_error_add(r->errors, r->place, "net.handles",
+                    "vertex [%d, %d] does not exist; expected a position on the grid, or an index from 0 to %d", i,
+                    index[1], n - 1);
+      return -1;
+    }
+  }
+  if (v >= 0 && v < n) return v;
+  lam_error_add(r->errors, r->place, "net.handles", "vertex %d does not exist; expected an index from 0 to %d", v,
+                n - 1);
+  return -1;
+}
+
+static void append(resolver *r, const lam_handle *handle, int vertex, lam_vec3 to) {
+  if (r->count == r->capacity) {
+    int room = 2 * r->capacity + 16;
+    lam_handle *larger = LAM_NEW(r->arena, lam_handle, room);
+    for (int k = 0; k < r->count; k++) larger[k] = r->handles[k];
+    r->handles = larger;
+    r->capacity = room;
+  }
+  if (r->common->boundary == LAM_BOUNDARY_FIXED && r->net->boundary[vertex])
+    lam_error_add(r->errors, r->place, "net.handles",
+                  "vertex %d lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
+                  vertex);
+  r->handles[r->count++] = (lam_handle){
+      .vertex = {vertex, -1}, .to = {to.x, to.y, to.z}, .steps = handle->steps, .release = handle->release};
+}
+
+/* ---- sides ---- */
+
+/* A clamped B-spline through space with its length, measured on a fine polyline. */
+typedef struct curve {
+  int degree, count;
+  const double *points; /* count * 3 */
+  double *knots;
+  double *length; /* from the beginning to t = k / samples */
+} curve;
+enum { samples = 2000 };
+
+static lam_vec3 curve_point(const curve *c, double t) {
+  double values[LAM_BASIS_MAX_VALUES];
+  int span = lam_basis_span(c->degree, c->count, c->knots, t);
+  lam_vec3 x = {0, 0, 0};
+  lam_basis_eval(c->degree, c->knots, span, t, 0, values);
+  for (int k = 0; k <= c->degree; k++) {
+    const double *p = c->points + 3 * (size_t)(span - c->degree + k);
+    x = lam_along(x, values[k], lam_v3(p[0], p[1], p[2]));
+  }
+  return x;
+}
+
+static curve make_curve(lam_arena *arena, const lam_handle *handle) {
+  curve c = {
+      .count = handle->goal.count / 3, .points = handle->goal.items, .length = LAM_NEW(arena, double, samples + 1)};
+  c.degree = handle->degree < c.count ? handle->degree : c.count - 1;
+  c.knots = LAM_NEW(arena, double, c.count + c.degree + 1);
+  lam_knots_clamped(c.degree, c.count, c.knots);
+  for (int k = 1; k <= samples; k++)
+    c.length[k] = c.length[k - 1] +
+                  lam_distance(curve_point(&c, (double)(k - 1) / samples), curve_point(&c, (double)k / samples));
+  return c;
+}
+
+/* The point at a share of the curve's length. */
+static lam_vec3 curve_at_share(const curve *c, double share) {
+  double wanted = share * c->length[samples];
+  int k = 1;
+  while (k < samples && c->length[k] < wanted) k++;
+  double piece = c->length[k] - c->length[k - 1], part = piece > 0 ? (wanted - c->length[k - 1]) / piece : 0;
+  return curve_point(c, fmin(fmax((k - 1 + part) / samples, 0), 1));
+}
+
+static void resolve_side(resolver *r, const lam_handle *handle) {
+  lam_polyline line;
+  const char *name = lam_side_names[handle->side];
+  if (!lam_net_side(r->arena, r->net, (lam_side)handle->side, &line)) {
+    lam_error_add(r->errors, r->place, "net.handles",
+                  "the net has no side %s; expected a net with four corners, or a tube with its two rims", name);
+    return;
+  }
+  if (line.closed && handle->goal.count) {
+    lam_error_add(r->errors, r->place, "net.handles", "side %s is closed and has no beginning for a curve; expected by",
+                  name);
+    return;
+  }
+  double total = 0, before = 0;
+  for (int k = 1; k < line.count; k++)
+    total += lam_distance(r->positions[line.vertices[k - 1]], r->positions[line.vertices[k]]);
+  curve c = {0};
+  if (handle->goal.count) c = make_curve(r->arena, handle);
+  for (int k = 0; k < line.count; k++) {
+    lam_vec3 x = r->positions[line.vertices[k]], by = lam_v3(handle->by[0], handle->by[1], handle->by[2]);
+    if (k) before += lam_distance(r->positions[line.vertices[k - 1]], x);
+    append(r, handle, line.vertices[k],
+           handle->goal.count ? curve_at_share(&c, total > 0 ? before / total : 0) : lam_add(x, by));
+  }
+}
+
+lam_list lam_handles_resolve(lam_arena *arena, const lam_net_common *common, const lam_net *net,
+                             const lam_vec3 *positions, lam_place place, lam_errors *errors) {
+  resolver r = {.arena = arena, .common = common, .net = net, .positions = positions, .place = place, .errors = errors};
+  for (int h = 0; h < common->handles.count; h++) {
+    const lam_handle *handle = (const lam_handle *)common->handles.items + h;
+    if (handle->side_given) {
+      resolve_side(&r, handle);
+      continue;
+    }
+    int v = find_vertex(&r, handle);
+    if (v < 0) continue;
+    const double *to = is_plain(handle) ? handle->to : handle->goal.items;
+    lam_vec3 by = lam_v3(handle->by[0], handle->by[1], handle->by[2]);
+    append(&r, handle, v, handle->by_given ? lam_add(positions[v], by) : lam_v3(to[0], to[1], to[2]));
+  }
+  return (lam_list){r.count, r.handles};
+}
