@@ -77,9 +77,9 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   stage->measure_count = 3;
   stage->measures = LAM_NEW(arena, lam_measure, 3);
   double energy = lam_thin_plate_energy(arena, &d->patch.surface, 20);
-  stage->measures[0] = (lam_measure){"normal_curvature_ratio", "", ratio, ratio, 1};
-  stage->measures[1] = (lam_measure){"normal_binormal_sine", "", sine, sine, 1};
-  stage->measures[2] = (lam_measure){"thin_plate_energy", "m^2", energy, energy, 1};
+  stage->measures[0] = (lam_measure){"normal_curvature_ratio", "", NAN, ratio, NAN, 4 * PLACES};
+  stage->measures[1] = (lam_measure){"normal_binormal_sine", "", NAN, sine, NAN, 4 * PLACES};
+  stage->measures[2] = (lam_measure){"thin_plate_energy", "m^2", energy, energy, energy, 1};
 }
 
 #define AT(member) offsetof(lam_quad_keys, member)

@@ -8,7 +8,7 @@
 #include "core/dense.h"
 #include "surf/asymptotic_parts.h"
 
-enum { DEGREE = 7, POINTS = DEGREE + 1, UNKNOWNS = 6 };
+enum { DEGREE = LAM_SKIN_DEGREE, POINTS = LAM_SKIN_POINTS, UNKNOWNS = 6 };
 
 /* The part of the edge at one end; `end` 1 is seen backwards: points 7, 6, 5, 4, with signs of odd derivatives turned.
  */
@@ -29,10 +29,9 @@ static void set_end(const lam_skin_vertex *vertex, int family, int end, lam_vec3
   }
 }
 
-/* The curve of an edge. */
-static lam_vec3 *make_edge(lam_arena *arena, const double *gram, const lam_skin_vertex *from, const lam_skin_vertex *to,
-                           int family) {
-  lam_vec3 *points = LAM_NEW(arena, lam_vec3, POINTS), along[UNKNOWNS];
+void lam_skin_edge(lam_arena *arena, const double *gram, const lam_skin_vertex *from, const lam_skin_vertex *to,
+                   int family, lam_vec3 points[LAM_SKIN_POINTS]) {
+  lam_vec3 along[UNKNOWNS];
   int moved[UNKNOWNS];
   double h[UNKNOWNS * UNKNOWNS], g[UNKNOWNS] = {0}, x[UNKNOWNS];
   set_end(from, family, 0, points, moved, along);
@@ -44,7 +43,6 @@ static lam_vec3 *make_edge(lam_arena *arena, const double *gram, const lam_skin_
   }
   lam_least_energy(arena, UNKNOWNS, h, g, 0, NULL, NULL, 0, x);
   for (int a = 0; a < UNKNOWNS; a++) points[moved[a]] = lam_along(points[moved[a]], x[a], along[a]);
-  return points;
 }
 
 bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_skin_vertex *vertices, lam_place place,
@@ -62,10 +60,13 @@ bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_sk
       return false;
     }
   }
-  for (int k = 0; k < total; k++) {
-    if (k / count[1] + 1 < count[0]) edges[0][k] = make_edge(arena, gram, &vertices[k], &vertices[k + count[1]], 0);
-    if (k % count[1] + 1 < count[1]) edges[1][k] = make_edge(arena, gram, &vertices[k], &vertices[k + 1], 1);
-  }
+  for (int k = 0; k < total; k++)
+    for (int d = 0; d < 2; d++) {
+      int next = d ? k + 1 : k + count[1];
+      if (d ? k % count[1] + 1 == count[1] : k / count[1] + 1 == count[0]) continue;
+      edges[d][k] = LAM_NEW(arena, lam_vec3, POINTS);
+      lam_skin_edge(arena, gram, &vertices[k], &vertices[next], d, edges[d][k]);
+    }
   for (int i = 0; i + 1 < count[0]; i++)
     for (int j = 0; j + 1 < count[1]; j++) {
       lam_asymptotic_patch *patch = &patches[i * (count[1] - 1) + j];

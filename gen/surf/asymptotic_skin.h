@@ -20,4 +20,18 @@ typedef struct lam_skin_vertex {
 bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_skin_vertex *vertices, lam_place place,
                               lam_errors *errors, lam_asymptotic_patch *patches);
 
+/* Chooses tangents, curvatures and torsions of all vertices, whose points are given (2 x 2 or more), for the least sum
+ * of the integrals of |r'''|^2 over the edges: the tangent planes tilt a little from the planes of the vertex stars of
+ * a discrete asymptotic net, until the curves are calm. On coarse nets the border may curl, which nothing there holds.
+ * Gauss-Newton steps from central differences. Returns the sum; start is that of the differences. NAN, with an error,
+ * when the steps break down. */
+double lam_asymptotic_skin_fit(lam_arena *arena, const int count[2], lam_skin_vertex *vertices, lam_place place,
+                               lam_errors *errors, double *start);
+
+/* For the files surf/asymptotic_skin*.c: the 8 control points of the edge between two vertices, along u or v; gram is
+ * that of the third derivatives of Bezier curves of degree 7. */
+enum { LAM_SKIN_DEGREE = 7, LAM_SKIN_POINTS = 8 };
+void lam_skin_edge(lam_arena *arena, const double *gram, const lam_skin_vertex *from, const lam_skin_vertex *to,
+                   int family, lam_vec3 points[LAM_SKIN_POINTS]);
+
 #endif
