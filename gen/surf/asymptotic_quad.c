@@ -128,9 +128,8 @@ static const lam_key keys[] = {
      .offset = AT(slopes),
      .count = 1,
      .initial = "no",
-     .doc =
-         "Whether the vertical parts of the tangents are chosen for least bending energy; the given ones are ignored "
-         "then."},
+     .doc = "Whether the vertical parts of the tangents are chosen for the calmest surface, which takes some seconds; "
+            "the given ones are ignored then."},
     {.name = "weights",
      .type = LAM_KEY_NUMBER,
      .offset = AT(weights),
