@@ -22,7 +22,9 @@
   row(step) \
   row(iges) \
   row(plot) \
-  row(plot_gltf)
+  row(plot_gltf) \
+  row(frames) \
+  row(animation)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_format lam_format_##name;

@@ -40,12 +40,13 @@ typedef struct lam_bench_case {
 } lam_bench_case;
 
 typedef struct lam_bench_result {
-  int vertices, unknowns, iterations;
+  int vertices, unknowns;
+  int iterations, factorizations; /* rejected steps are factorized too */
   bool converged;
   char reason[100];
   double residual;
-  double analysis, assembly, factor, solve; /* seconds: once; per iteration */
-  double iteration;                         /* seconds of all three */
+  double analysis, assembly, factor, solve; /* seconds: once; per factorization */
+  double step;                              /* seconds of all three: a step that is taken or rejected */
   double total;                             /* seconds of the fastest run */
   double memory;                            /* largest resident set, bytes; NAN: unknown */
   double flops, entries;                    /* of a factorization */
@@ -57,6 +58,7 @@ bool lam_bench_net(lam_bench *bench, const lam_bench_case *what, lam_net_job *jo
 /* Solves a case. False with errors. */
 bool lam_bench_run(lam_bench *bench, const lam_bench_case *what, lam_bench_result *result);
 json_t *lam_bench_json(const char *section, const lam_bench_case *what, const lam_bench_result *result);
+/* Seconds that this thread has computed. */
 double lam_bench_clock(void);
 
 /* The sections. False with errors. */

@@ -105,7 +105,7 @@ static bool hard_mesh(lam_bench *bench, const char *mesh) {
   else
     printf(
         "planar faces, %s, to 1e-6: %s, %d iterations of %.1f ms, %.0f ms in all; planarity %.1e, shortest edge %.3f\n",
-        mesh, r.reason, r.iterations, r.iteration * 1e3, r.total * 1e3, r.measure, r.shortest_edge);
+        mesh, r.reason, r.iterations, r.step * 1e3, r.total * 1e3, r.measure, r.shortest_edge);
   return true;
 }
 

@@ -12,7 +12,7 @@
 
 double lam_bench_clock(void) {
   struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
@@ -49,14 +49,14 @@ static bool start_mesh(lam_bench *bench, const lam_bench_case *what, const lam_d
 static void note(const lam_bench_case *what, lam_arena *arena, const lam_net *net, const lam_net_result *r,
                  lam_bench_result *out) {
   const lam_solution *s = &r->solution;
-  double n = s->iterations > 0 ? s->iterations : 1;
-  double iteration = (s->seconds_assembly + s->seconds_factor + s->seconds_solve) / n;
+  double n = s->factorizations > 0 ? s->factorizations : 1;
+  double step = (s->seconds_assembly + s->seconds_factor + s->seconds_solve) / n;
   if (s->seconds_total < out->total) {
     out->total = s->seconds_total;
     out->analysis = s->seconds_analysis;
   }
-  if (iteration < out->iteration) {
-    out->iteration = iteration;
+  if (step < out->step) {
+    out->step = step;
     out->assembly = s->seconds_assembly / n;
     out->factor = s->seconds_factor / n;
     out->solve = s->seconds_solve / n;
@@ -64,6 +64,7 @@ static void note(const lam_bench_case *what, lam_arena *arena, const lam_net *ne
   out->vertices = net->mesh.vertex_count;
   out->unknowns = s->unknowns;
   out->iterations = s->iterations;
+  out->factorizations = s->factorizations;
   out->converged = r->converged;
   out->residual = s->residual;
   out->flops = s->factor.flops;
@@ -105,7 +106,7 @@ static bool run_once(lam_bench *bench, const lam_bench_case *what, lam_bench_res
 }
 
 bool lam_bench_run(lam_bench *bench, const lam_bench_case *what, lam_bench_result *result) {
-  *result = (lam_bench_result){.total = INFINITY, .iteration = INFINITY, .measure = NAN};
+  *result = (lam_bench_result){.total = INFINITY, .step = INFINITY, .measure = NAN};
   bool done = true;
   reset_peak_memory();
   for (int i = 0; done && i < what->repeats; i++) {
@@ -130,6 +131,7 @@ json_t *lam_bench_json(const char *section, const lam_bench_case *what, const la
   json_object_set_new(out, "vertices", json_integer(r->vertices));
   json_object_set_new(out, "unknowns", json_integer(r->unknowns));
   json_object_set_new(out, "iterations", json_integer(r->iterations));
+  json_object_set_new(out, "factorizations", json_integer(r->factorizations));
   json_object_set_new(out, "converged", json_boolean(r->converged));
   json_object_set_new(out, "reason", json_string(r->reason));
   json_object_set_new(out, "residual", number(r->residual));
@@ -137,7 +139,7 @@ json_t *lam_bench_json(const char *section, const lam_bench_case *what, const la
   json_object_set_new(out, "assembly_ms", number(r->assembly * 1e3));
   json_object_set_new(out, "factor_ms", number(r->factor * 1e3));
   json_object_set_new(out, "solve_ms", number(r->solve * 1e3));
-  json_object_set_new(out, "iteration_ms", number(r->iteration * 1e3));
+  json_object_set_new(out, "step_ms", number(r->step * 1e3));
   json_object_set_new(out, "total_ms", number(r->total * 1e3));
   json_object_set_new(out, "peak_bytes", number(r->memory));
   json_object_set_new(out, "flops", number(r->flops));

@@ -25,7 +25,7 @@ static const verb verbs[] = {
     {"measure", lam_verb_measure, "MESH.obj [--as NET]  independent measures of a quad mesh"},
     {"diff", lam_verb_diff, "A B [--tolerance T]   compare two meshes or two pictures"},
     {"inspect", lam_verb_inspect, "FILE.stl           closed? oriented? self-intersections, volume, inertia"},
-    {"bench", lam_verb_bench, "[FOLDER]             how fast the solver is on this machine"},
+    {"bench", lam_verb_bench, "[--json] [FOLDER]    how fast the solver is on this machine"},
 };
 enum { verb_count = sizeof verbs / sizeof *verbs };
 

@@ -216,7 +216,9 @@ typedef struct lam_model {
   const lam_mesh *net; /* NULL when the design has none */
   int polyline_count;
   const lam_polyline *polylines;
-  int surface_count; /* smooth surfaces that are splines */
+  int frame_count;               /* states of the net on its way to the result; 0: none were kept */
+  const lam_vec3 *const *frames; /* positions of the net's vertices */
+  int surface_count;             /* smooth surfaces that are splines */
   const lam_spline_surface *surfaces;
   int part_count;
   const lam_part *parts;

@@ -280,6 +280,7 @@ void lam_workshop_clash(lam_workshop *shop) {
   lam_stage *stage = lam_workshop_stage(shop, "clash");
   const char *names[2] = {shop->parts[c.worst[0]].name, shop->parts[c.worst[1]].name};
   stage->converged = c.status == LAM_OK && c.count == 0;
+  if (!stage->converged) stage->reason = c.status == LAM_OK ? "parts overlap" : "not computed";
   if (c.status != LAM_OK) {
     lam_stage_note(shop->arena, stage, "the overlap of parts could not be computed (%s, %s)", names[0], names[1]);
     return;

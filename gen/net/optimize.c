@@ -1,12 +1,11 @@
 #include "net/optimize.h"
+#include "net/frames.h"
 #include "net/handles.h"
 #include "net/measure.h"
 #include "net/multilevel.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double right_angle = 3.14159265358979323846 / 2;
 
 typedef struct attempt {
   lam_arena *arena;
@@ -17,8 +16,10 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
-  int levels;  /* coarser nets that were solved before */
-  bool let_go; /* handles with release: yes no longer hold */
+  int levels;          /* coarser nets that were solved before */
+  bool let_go;         /* handles with release: yes no longer hold */
+  lam_frames *frames;  /* NULL: none are kept */
+  bool frame_per_step; /* of the handles; else per iteration */
 } attempt;
 
 static void prepare_reference(attempt *a) {
@@ -146,8 +147,15 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   if (a->errors->count) return none;
   if (a->let_go) schedule.fairness = 0;
   if (schedule.fairness > 0) add_guide(a, &scope);
-  lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, job->progress)
-                                 : lam_guided_solve(problem, &schedule, job->progress);
+  lam_progress watching = {0};
+  if (a->frames) {
+    a->frames->problem = a->frame_per_step ? NULL : problem;
+    a->frames->next = job->progress;
+    watching = lam_frames_progress(a->frames);
+  }
+  const lam_progress *progress = a->frames ? &watching : job->progress;
+  lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, progress)
+                                 : lam_guided_solve(problem, &schedule, progress);
   if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
@@ -192,6 +200,7 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   lam_net_job job = *a->job;
   keys.handles = coarse_handles(a, &coarse);
   keys.levels = levels - 1;
+  keys.animate = 0;
   keys.levels_given = common->levels_given;
   job.common = &keys;
   lam_net_kind kind = *job.kind;
@@ -206,47 +215,6 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   }
   result->levels++;
   return true;
-}
-
-static bool listed(const char *const *names, int count, const char *name) {
-  for (int i = 0; i < count; i++)
-    if (strcmp(names[i], name) == 0) return true;
-  return false;
-}
-
-/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
-static const char *const *measure_names(const attempt *a) {
-  static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
-  const lam_list *more = &a->job->common->measures;
-  const char *const *own = a->job->kind->measures;
-  int count = 0;
-  while (own[count]) count++;
-  const char **names = LAM_NEW(a->arena, const char *, count + more->count + 3);
-  for (int i = 0; i < count; i++) names[i] = own[i];
-  for (int i = 0; a->job->reference && i < 2; i++)
-    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
-  for (int i = 0; i < more->count; i++) {
-    const char *name = ((const char *const *)more->items)[i];
-    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
-  }
-  return names;
-}
-
-/* In meters: the reference gets a tree of its own. */
-static void measure(const attempt *a, const lam_vec3 *start, lam_net_result *result) {
-  const lam_net_job *job = a->job;
-  lam_measuring *in = &result->measuring;
-  *in = lam_measuring_of(a->arena, a->net, a->net->mesh.vertices);
-  double target = job->kind->target_angle ? job->kind->target_angle(job->params) : right_angle;
-  if (!isnan(target)) in->target_angle = target;
-  in->start = start;
-  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
-  if (tree) {
-    lam_arena_defer(a->arena, lam_tree_free, tree);
-    in->reference = tree;
-    in->reference_mesh = job->reference;
-  }
-  result->measures = lam_net_measure(in, measure_names(a), &result->measure_count);
 }
 
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
@@ -282,12 +250,20 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     steps = 1;
   else if (job->common->solver.smooth)
     smooth(&a, start, x);
+  lam_frames frames;
+  if (job->common->animate > 0) {
+    frames = lam_frames_new(arena, job->common->animate, n, a.unit);
+    a.frames = &frames;
+    a.frame_per_step = steps > 1;
+    lam_frames_add(&frames, start);
+  }
   int iterations = result->solution.iterations;
   for (int step = 1; step <= steps + any_released(handles); step++) {
     a.let_go = step > steps;
     result->solution = solve(&a, x, start, fmin(1, (double)step / steps), &result->skipped);
     iterations += result->solution.iterations;
     if (errors->count > before) return false;
+    if (a.frames && a.frame_per_step) lam_frames_add(a.frames, x);
   }
   result->solution.iterations = iterations;
   result->degenerate = lam_net_degenerate(arena, net, start, x);
@@ -298,6 +274,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
-  measure(&a, begin, result);
+  if (a.frames) result->frames = lam_frames_finish(arena, &frames, x, &result->frame_count);
+  lam_net_measure_result(arena, job, net, begin, result);
   return true;
 }

@@ -27,8 +27,10 @@ static void close_factor(void *handle) {
   cholmod_finish(&factor->common);
 }
 
+/* CHOLMOD counts in ints here: a factor that is too large for them is one that does not fit. */
 static void check_memory(lam_factor *factor) {
-  if (factor->common.status == CHOLMOD_OUT_OF_MEMORY) lam_arena_exhausted(factor->arena);
+  if (factor->common.status == CHOLMOD_OUT_OF_MEMORY || factor->common.status == CHOLMOD_TOO_LARGE)
+    lam_arena_exhausted(factor->arena);
 }
 
 lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start, const int *row, const int *order) {

@@ -20,12 +20,13 @@ typedef struct lam_schedule {
 typedef struct lam_solution {
   bool converged;
   const char *reason;
-  int iterations;     /* accepted steps */
+  int iterations; /* accepted steps */
   int factorizations;
   double residual, rms; /* hard, at the end */
   const char *worst;    /* block with the largest residual */
   int history_count;
-  double *history;         /* largest hard residual before the first and after every step */
+  double *history; /* largest hard residual before the first and after every step */
+  /* Processor time of the thread. */
   double seconds_analysis; /* pattern and symbolic analysis, once */
   double seconds_assembly, seconds_factor, seconds_solve, seconds_total;
   lam_factor_stats factor;

@@ -37,7 +37,7 @@ bool lam_run_step(lam_run *run, double mu, double damped);
 static const double lam_settled = .01;
 bool lam_run_has_wishes(const lam_run *run);
 lam_weights lam_schedule_weights(const lam_schedule *schedule, int iteration);
-/* Seconds of a steady clock. */
+/* Seconds that this thread has computed: other programs do not count. */
 double lam_run_clock(void);
 
 #endif

@@ -360,6 +360,25 @@ static void test_a_net_without_such_a_form_says_so(void **state) {
   assert_non_null(strstr(f->errors.first->text, "asymptotic, planar-quads"));
 }
 
+/* Variants of geodesic parallel coordinates that are not written in half-edges are refused, not solved without them. */
+static void test_keys_without_such_a_form_are_refused(void **state) {
+  net_fixture *f = *state;
+  static const char *const keys[] = {"{developable: one-line}", "{widths: equal}", "{isometric: yes}"};
+  const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, "geodesic-parallel");
+  for (int i = 0; i < 3; i++) {
+    lam_mesh mesh = net_grid(f->arena, 5, 6, dome);
+    lam_net net = net_built(f, &mesh);
+    lam_errors errors = {.arena = f->arena};
+    lam_net_job job = {.kind = kind,
+                       .params = net_params(f, kind->head.keys, kind->head.params_size, keys[i]),
+                       .common = net_params(f, lam_net_common_keys, sizeof(lam_net_common), "{solver: thesis}")};
+    lam_net_result result;
+    assert_false(lam_net_optimize(f->arena, &job, &net, &errors, &result));
+    assert_int_equal(errors.count, 1);
+    assert_non_null(strstr(errors.first->text, "developable, widths or isometric"));
+  }
+}
+
 static void line_and_parabola(int n, const double *x, const double *p, double *r, double *J) {
   (void)n, (void)p;
   r[0] = x[1] - x[0] * x[0];
@@ -424,6 +443,7 @@ int main(void) {
                                      NET_TEST(test_constant_mean_curvature),
                                      NET_TEST(test_spherical_stars),
                                      NET_TEST(test_a_net_without_such_a_form_says_so),
+                                     NET_TEST(test_keys_without_such_a_form_are_refused),
                                      NET_TEST(test_steps_are_full_and_damped_by_epsilon),
                                      NET_TEST(test_wrong_methods_are_named)};
   return cmocka_run_group_tests(tests, NULL, NULL);
