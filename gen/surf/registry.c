@@ -20,7 +20,8 @@
   row(nodoid) \
   row(sphere) \
   row(ellipsoid) \
-  row(torus)
+  row(torus) \
+  row(asymptotic_quad)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_surface_kind lam_surface_##name;
