@@ -22,7 +22,8 @@
   row(sphere) \
   row(ellipsoid) \
   row(torus) \
-  row(asymptotic_quad)
+  row(asymptotic_quad) \
+  row(developable)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_surface_kind lam_surface_##name;
