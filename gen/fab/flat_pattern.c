@@ -59,30 +59,32 @@ static lam_vec2 *lay_along(lam_arena *arena, int count, const lam_vec2 *from) {
   return points;
 }
 
-static double distance_to_outline(const sheet *s, lam_vec2 p) {
+static double distance_to(const lam_paths *paths, lam_vec2 p) {
   double least = INFINITY;
-  for (int k = 0; k < s->loop_count; k++) {
-    lam_vec2 a = s->points[s->loop[k]], b = s->points[s->loop[(k + 1) % s->loop_count]];
-    double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-    double t = square > 0 ? fmin(1, fmax(0, ((p.x - a.x) * dx + (p.y - a.y) * dy) / square)) : 0;
-    least = fmin(least, hypot(a.x + t * dx - p.x, a.y + t * dy - p.y));
+  for (int i = 0; i < paths->count; i++) {
+    const lam_path *path = &paths->items[i];
+    for (int k = path->closed ? 0 : 1; k < path->count; k++) {
+      lam_vec2 a = path->points[k ? k - 1 : path->count - 1], b = path->points[k];
+      double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+      double t = square > 0 ? fmin(1, fmax(0, ((p.x - a.x) * dx + (p.y - a.y) * dy) / square)) : 0;
+      least = fmin(least, hypot(a.x + t * dx - p.x, a.y + t * dy - p.y));
+    }
   }
   return least;
 }
 
-/* The name around the point furthest from the outline. */
+/* The name around the vertex furthest from the outline and the marks, in two thirds of the room there. */
 static void add_name(lam_paths *paths, const sheet *s, const char *name) {
   lam_vec2 at = s->points[0];
   double room = 0;
   for (int v = 0; v < s->mesh.vertex_count; v++) {
-    double distance = distance_to_outline(s, s->points[v]);
+    double distance = distance_to(paths, s->points[v]);
     if (distance <= room) continue;
     room = distance;
     at = s->points[v];
   }
-  double height = fmin(0.2 * room, 0.6 * room / lam_lettering_width(name, 1)),
-         width = lam_lettering_width(name, height);
-  lam_lettering_add(paths, LAM_LAYER_LABEL, name, lam_v2(at.x - width / 2, at.y - height / 2), 0, height);
+  double wide = lam_lettering_width(name, 1), height = 4. / 3 * room / hypot(1, wide);
+  lam_lettering_add(paths, LAM_LAYER_LABEL, name, lam_v2(at.x - wide * height / 2, at.y - height / 2), 0, height);
 }
 
 /* Lines of the net, `marks` inside each family, as evenly spaced as the net allows. */
