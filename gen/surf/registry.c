@@ -6,6 +6,7 @@
   row(bezier) \
   row(bspline) \
   row(nurbs) \
+  row(file) \
   row(monge) \
   row(revolution) \
   row(molding) \
