@@ -21,6 +21,7 @@
   row(surface) \
   row(step) \
   row(iges) \
+  row(surface_obj) \
   row(plot) \
   row(plot_gltf) \
   row(frames) \
