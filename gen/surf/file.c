@@ -28,6 +28,7 @@ static const lam_key keys[] = {
      .type = LAM_KEY_TEXT,
      .offset = offsetof(lam_surface_source, file),
      .count = 1,
+     .initial = "surface.json",
      .doc = "A .step, .stp, .igs, .iges or .json file, beside the design."},
     {.name = "face",
      .type = LAM_KEY_INTEGER,
