@@ -1,8 +1,7 @@
 /* STEP (ISO 10303-214, "automotive design") in millimeters: every spline surface of the model as a face with its
  * natural boundary, all in one open shell. Reals carry a decimal point and an upper-case E: readers silently misread
  * others. */
-#include "formats/format.h"
-#include "formats/spline.h"
+#include "formats/step.h"
 
 typedef struct step {
   lam_text *out;
@@ -264,7 +263,9 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_step = {
     .name = "step",
     .doc = "The smooth surfaces as an open shell for CAD programs (STEP AP214), in millimeters.",
+    .ending = "step stp",
     .count = count,
     .path = path,
     .write = write,
+    .read_surfaces = lam_step_read,
 };
