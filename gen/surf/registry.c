@@ -6,6 +6,7 @@
   row(bezier) \
   row(bspline) \
   row(nurbs) \
+  row(file) \
   row(least_area) \
   row(monge) \
   row(revolution) \
@@ -22,7 +23,8 @@
   row(sphere) \
   row(ellipsoid) \
   row(torus) \
-  row(asymptotic_quad)
+  row(asymptotic_quad) \
+  row(developable)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_surface_kind lam_surface_##name;
