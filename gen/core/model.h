@@ -131,6 +131,7 @@ typedef struct lam_part {
   int group;        /* which physical element it belongs to (the two sheets of a pair share it); -1 when none */
   int congruence;   /* parts with the same number are copies of each other; counts from 1; 0 when not known */
   const lam_material *material;
+  bool drawn;         /* to be looked at, not made: it may pass through other parts, and has no flat pattern */
   lam_trimesh solid;  /* closed and oriented */
   int instance_count; /* 0: the solid stands where it is; n: it is placed by frames (and not where it is) */
   lam_frame *instances;

@@ -16,7 +16,7 @@ enum { corners = 48, bands = 16 }; /* of a circle, and of a ball from pole to po
 typedef struct circles_keys {
   double width, thickness, gap;
   int circles, material;
-  bool spheres;
+  bool spheres, drawn;
 } circles_keys;
 
 typedef struct circle {
@@ -135,10 +135,20 @@ typedef struct summary {
   double largest, sum;
 } summary;
 
+/* How many kinds of rings or balls earlier rows of the design made. */
+static int kinds_before(const lam_workshop *shop, const char *noun) {
+  int count = 0;
+  for (int i = 0; i < shop->part_count; i++)
+    count += strcmp(shop->parts[i].kind, "circles") == 0 && strncmp(shop->parts[i].name, noun, strlen(noun)) == 0;
+  return count;
+}
+
 /* One part for all circles of one radius (to a millionth of it), as many instances as there are. */
 static summary add_parts(lam_workshop *shop, const circles_keys *k, const circle *circles, int count, bool balls) {
   static const double same = 1e-6;
   summary s = {0};
+  const char *noun = balls ? "ball" : "ring";
+  int before = kinds_before(shop, noun);
   bool *done = LAM_NEW(shop->arena, bool, count);
   for (int i = 0; i < count; i++) {
     double outer = circles[i].radius - k->gap / 2, inner = outer - k->width;
@@ -148,7 +158,8 @@ static summary add_parts(lam_workshop *shop, const circles_keys *k, const circle
       continue;
     }
     lam_part part = {.kind = "circles", .family = -1, .group = -1, .congruence = lam_workshop_next_class(shop)};
-    part.name = lam_arena_printf(shop->arena, "%s-%03ld", balls ? "ball" : "ring", ++s.kinds);
+    part.name = lam_arena_printf(shop->arena, "%s-%03ld", noun, before + ++s.kinds);
+    part.drawn = k->drawn;
     part.material = &lam_materials[k->material];
     part.instances = LAM_NEW(shop->arena, lam_frame, count - i);
     for (int j = i; j < count; j++)
@@ -157,7 +168,7 @@ static summary add_parts(lam_workshop *shop, const circles_keys *k, const circle
         part.instances[part.instance_count++] = circles[j].frame;
       }
     part.solid = balls ? ball_solid(shop->arena, outer) : ring_solid(shop->arena, inner, outer, k->thickness);
-    if (!balls) part.flat = ring_flat(shop->arena, inner, outer, k->thickness);
+    if (!balls && !k->drawn) part.flat = ring_flat(shop->arena, inner, outer, k->thickness);
     part.mass = lam_trimesh_volume(&part.solid) * part.material->density;
     const lam_fact facts[] = {{"diameter", "m", 2 * outer}, {"mass", "kg", part.mass}};
     lam_part_set_facts(shop->arena, &part, facts, 2);
@@ -222,6 +233,14 @@ static const lam_key keys[] = {
      .count = 1,
      .initial = "no",
      .doc = "Balls at the vertices, as large as the incircles allow: on an S-isothermic net neighbors touch."},
+    {.name = "drawn",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(circles_keys, drawn),
+     .count = 1,
+     .initial = "no",
+     .doc =
+         "Only to be looked at: they may pass through each other and through other parts, the clash check leaves them "
+         "out, and rings have no flat pattern."},
     LENGTH("width", width, "20 mm", 1e-5, 10, "Width of the rings, inward from the circle."),
     LENGTH("thickness", thickness, "10 mm", 1e-5, 1, "Thickness of the rings, half of it on either side of the face."),
     LENGTH("gap", gap, "2 mm", 0, 1,
@@ -244,8 +263,8 @@ const lam_part_kind lam_part_circles = {
              "vertices: a packing of rings or balls that follows the surface. Rings are flat and have a flat pattern. "
              "All circles of one radius are one part with many instances. Rings on incircles and balls pass through "
              "each "
-             "other, and so do circumcircles of neighboring faces, which share two vertices: the clash check "
-             "counts them, and such a model is for pictures only.",
+             "other, and so do circumcircles of neighboring faces, which share two vertices: `drawn` makes them for "
+             "pictures, without a clash.",
          .source = "thesis 3.5.1 and 3.5.3, figures 3.44 and 3.50",
          .keys = keys,
          .params_size = sizeof(circles_keys)},

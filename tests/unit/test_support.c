@@ -146,6 +146,23 @@ static void rings_that_touch_do_not_overlap(void **state) {
   assert_int_equal(shop.errors->count, 2);
 }
 
+/* Circumcircles of unit squares cross: a clash when they are made, none when they are drawn; names go on counting. */
+static void drawn_rings_may_cross(void **state) {
+  lam_arena *arena = fixture_arena(state);
+  lam_mesh mesh = fixture_grid(arena, 3, 3, plane);
+  lam_workshop shop = fixture_workshop(arena, &mesh);
+  make(&shop, "circles", "{circles: circumcircles, gap: 0, drawn: yes}");
+  assert_null(shop.parts[0].flat);
+  lam_workshop_clash(&shop);
+  assert_int_equal(shop.stage_count, 1); /* nothing to check */
+  make(&shop, "circles", "{circles: circumcircles, gap: 0}");
+  assert_string_equal(shop.parts[0].name, "ring-001");
+  assert_string_equal(shop.parts[1].name, "ring-002");
+  lam_workshop_clash(&shop);
+  assert_true(fixture_measure(&shop, "clash", "clash_count")->max > 0);
+  assert_near(fixture_measure(&shop, "clash", "pairs_checked")->max, 6, 0); /* of the four rings that are made */
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(beams_on_a_prism, fixture_setup, fixture_teardown),
@@ -153,6 +170,7 @@ int main(void) {
       cmocka_unit_test_setup_teardown(other_nets_are_refused, fixture_setup, fixture_teardown),
       cmocka_unit_test_setup_teardown(rings_and_balls_on_squares, fixture_setup, fixture_teardown),
       cmocka_unit_test_setup_teardown(rings_that_touch_do_not_overlap, fixture_setup, fixture_teardown),
+      cmocka_unit_test_setup_teardown(drawn_rings_may_cross, fixture_setup, fixture_teardown),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
