@@ -37,38 +37,46 @@ lam_spline_surface lam_spline_surface_from_net(lam_arena *arena, const lam_splin
   return s;
 }
 
-lam_spline_surface lam_spline_surface_insert(lam_arena *arena, lam_spline_surface surface, int direction, double t,
-                                             int multiplicity) {
-  lam_bspline net = lam_spline_surface_net(arena, &surface, direction);
-  return lam_spline_surface_from_net(arena, &surface, direction, lam_bspline_insert(arena, net, t, multiplicity));
+lam_spline_surface lam_spline_surface_insert(lam_arena *arena, const lam_spline_surface *surface, int direction,
+                                             double t) {
+  lam_bspline net = lam_spline_surface_net(arena, surface, direction);
+  net = lam_bspline_insert(arena, net, t, lam_bspline_multiplicity(&net, t) + 1);
+  return lam_spline_surface_from_net(arena, surface, direction, net);
 }
 
-lam_spline_surface lam_spline_surface_elevate(lam_arena *arena, lam_spline_surface surface, int direction, int degree) {
-  lam_bspline net = lam_spline_surface_net(arena, &surface, direction);
-  return lam_spline_surface_from_net(arena, &surface, direction, lam_bspline_elevate(arena, net, degree));
+lam_spline_surface lam_spline_surface_elevate(lam_arena *arena, const lam_spline_surface *surface,
+                                              const int degree[2]) {
+  lam_spline_surface s = *surface;
+  for (int d = 0; d < 2; d++) {
+    if (degree[d] <= s.degree[d]) continue;
+    lam_bspline net = lam_spline_surface_net(arena, &s, d);
+    s = lam_spline_surface_from_net(arena, &s, d, lam_bspline_elevate(arena, net, degree[d]));
+  }
+  return s;
 }
 
-lam_spline_surface lam_spline_surface_part(lam_arena *arena, lam_spline_surface surface, int direction, double low,
-                                           double high) {
-  lam_bspline net = lam_spline_surface_net(arena, &surface, direction);
-  return lam_spline_surface_from_net(arena, &surface, direction, lam_bspline_part(arena, net, low, high));
+lam_spline_surface lam_spline_surface_part(lam_arena *arena, const lam_spline_surface *surface, int direction,
+                                           double low, double high) {
+  lam_bspline net = lam_spline_surface_net(arena, surface, direction);
+  return lam_spline_surface_from_net(arena, surface, direction, lam_bspline_part(arena, net, low, high));
 }
 
-lam_spline_surface lam_spline_surface_reverse(lam_arena *arena, lam_spline_surface surface, int direction) {
-  lam_bspline net = lam_spline_surface_net(arena, &surface, direction);
-  return lam_spline_surface_from_net(arena, &surface, direction, lam_bspline_reverse(arena, net));
+lam_spline_surface lam_spline_surface_reverse(lam_arena *arena, const lam_spline_surface *surface, int direction) {
+  lam_bspline net = lam_spline_surface_net(arena, surface, direction);
+  return lam_spline_surface_from_net(arena, surface, direction, lam_bspline_reverse(arena, net));
 }
 
-lam_spline_surface lam_spline_surface_transpose(lam_arena *arena, lam_spline_surface s) {
-  int m = s.count[0], n = s.count[1];
+lam_spline_surface lam_spline_surface_transpose(lam_arena *arena, const lam_spline_surface *s) {
+  int m = s->count[0], n = s->count[1];
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, (size_t)m * n);
-  double *weights = s.weights ? LAM_NEW(arena, double, (size_t)m *n) : NULL;
+  double *weights = s->weights ? LAM_NEW(arena, double, (size_t)m *n) : NULL;
   for (int i = 0; i < m; i++)
     for (int j = 0; j < n; j++) {
-      points[j * m + i] = s.points[i * n + j];
-      if (weights) weights[j * m + i] = s.weights[i * n + j];
+      points[j * m + i] = s->points[i * n + j];
+      if (weights) weights[j * m + i] = s->weights[i * n + j];
     }
-  return (lam_spline_surface){s.name, {s.degree[1], s.degree[0]}, {n, m}, {s.knots[1], s.knots[0]}, points, weights};
+  return (lam_spline_surface){s->name, {s->degree[1], s->degree[0]}, {n, m}, {s->knots[1], s->knots[0]}, points,
+                              weights};
 }
 
 /* The pieces of one direction of a surface, as surfaces. */
@@ -87,8 +95,9 @@ static lam_spline_surface *slices(lam_arena *arena, const lam_spline_surface *s,
   return list;
 }
 
-const lam_spline_surface *lam_spline_surface_patches(lam_arena *arena, lam_spline_surface surface, int count[2]) {
-  lam_spline_surface *rows = slices(arena, &surface, 0, &count[0]), *patches = NULL;
+const lam_spline_surface *lam_spline_surface_patches(lam_arena *arena, const lam_spline_surface *surface,
+                                                     int count[2]) {
+  lam_spline_surface *rows = slices(arena, surface, 0, &count[0]), *patches = NULL;
   for (int i = 0; i < count[0]; i++) {
     lam_spline_surface *row = slices(arena, &rows[i], 1, &count[1]);
     if (i == 0) patches = LAM_NEW(arena, lam_spline_surface, count[0] * count[1]);

@@ -19,19 +19,19 @@ lam_bspline lam_spline_surface_net(lam_arena *arena, const lam_spline_surface *s
 lam_spline_surface lam_spline_surface_from_net(lam_arena *arena, const lam_spline_surface *like, int direction,
                                                lam_bspline net);
 
-/* The same surface with the knot t standing `multiplicity` times. */
-lam_spline_surface lam_spline_surface_insert(lam_arena *arena, lam_spline_surface surface, int direction, double t,
-                                             int multiplicity);
-/* The same surface with a higher degree. */
-lam_spline_surface lam_spline_surface_elevate(lam_arena *arena, lam_spline_surface surface, int direction, int degree);
+/* The same surface with one more knot t, strictly inside of the domain and not yet `degree` times a knot there. */
+lam_spline_surface lam_spline_surface_insert(lam_arena *arena, const lam_spline_surface *surface, int direction,
+                                             double t);
+/* The same surface with degrees raised to degree[2]; no lower than they are, at most LAM_BASIS_MAX_DEGREE. */
+lam_spline_surface lam_spline_surface_elevate(lam_arena *arena, const lam_spline_surface *surface, const int degree[2]);
 /* The part over [low, high] of one direction, with clamped ends. A surface is split by taking two parts. */
-lam_spline_surface lam_spline_surface_part(lam_arena *arena, lam_spline_surface surface, int direction, double low,
-                                           double high);
+lam_spline_surface lam_spline_surface_part(lam_arena *arena, const lam_spline_surface *surface, int direction,
+                                           double low, double high);
 /* The same surface, traveled backwards in one direction; its normal turns to the other side. */
-lam_spline_surface lam_spline_surface_reverse(lam_arena *arena, lam_spline_surface surface, int direction);
+lam_spline_surface lam_spline_surface_reverse(lam_arena *arena, const lam_spline_surface *surface, int direction);
 /* u and v exchanged; the normal turns to the other side. */
-lam_spline_surface lam_spline_surface_transpose(lam_arena *arena, lam_spline_surface surface);
+lam_spline_surface lam_spline_surface_transpose(lam_arena *arena, const lam_spline_surface *surface);
 /* The Bezier patches, count[0] x count[1], v running fastest, each over its part of the domain. Sets count. */
-const lam_spline_surface *lam_spline_surface_patches(lam_arena *arena, lam_spline_surface surface, int count[2]);
+const lam_spline_surface *lam_spline_surface_patches(lam_arena *arena, const lam_spline_surface *surface, int count[2]);
 
 #endif
