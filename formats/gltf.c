@@ -3,7 +3,7 @@
  * extras of its node. A model without parts shows its net as lines. */
 #include "formats/corner_normals.h"
 #include "formats/format.h"
-#include "formats/gltf_shim.h"
+#include "formats/gltf_scene.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -177,18 +177,22 @@ static lam_status gltf_write(const lam_model *model, int i, lam_text *out) {
   b.meshes = LAM_NEW(b.arena, lam_gltf_mesh, model->part_count + 1);
   b.nodes = LAM_NEW(b.arena, lam_gltf_node, nodes);
   add_nodes(&b);
-  lam_gltf_scene scene = {model->title ? model->title : model->name,
-                          b.material_count,
-                          b.mesh_count,
-                          b.node_count,
-                          b.materials,
-                          b.meshes,
-                          b.nodes};
-  char **bytes = LAM_NEW(b.arena, char *, 1); /* freed with the arena, also when adding to out runs out of memory */
-  lam_arena_defer(b.arena, free_bytes, bytes);
+  lam_gltf_scene scene = {.name = model->title ? model->title : model->name,
+                          .material_count = b.material_count,
+                          .mesh_count = b.mesh_count,
+                          .node_count = b.node_count,
+                          .materials = b.materials,
+                          .meshes = b.meshes,
+                          .nodes = b.nodes};
+  return lam_gltf_write(&scene, out);
+}
+
+lam_status lam_gltf_write(const lam_gltf_scene *scene, lam_text *out) {
+  char **bytes = LAM_NEW(out->arena, char *, 1); /* freed with the arena, also when adding to out runs out of memory */
+  lam_arena_defer(out->arena, free_bytes, bytes);
   size_t count;
-  lam_status status = lam_gltf_encode(&scene, bytes, &count);
-  if (status == LAM_NO_MEMORY) lam_arena_exhausted(b.arena);
+  lam_status status = lam_gltf_encode(scene, bytes, &count);
+  if (status == LAM_NO_MEMORY) lam_arena_exhausted(out->arena);
   if (status == LAM_OK) lam_text_bytes(out, *bytes, count);
   free(*bytes);
   *bytes = NULL;

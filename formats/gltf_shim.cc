@@ -10,12 +10,12 @@
 
 namespace {
 
-/* The one buffer: vertices (positions, normals and colors, 12 bytes each), then 32-bit indices, then 16-bit indices, each a
- * buffer view. */
+/* The one buffer: vertices (positions, normals and colors, 12 bytes each), then 32-bit indices, then 16-bit indices,
+ * then single numbers of animations, each a buffer view. */
 struct Packer {
   tinygltf::Model model;
-  std::vector<unsigned char> vertices, wide, narrow;
-  enum View { vertex_view, wide_view, narrow_view };
+  std::vector<unsigned char> vertices, wide, narrow, scalars;
+  enum View { vertex_view, wide_view, narrow_view, scalar_view };
 
   int accessor(View view, std::vector<unsigned char> &data, const void *bytes, size_t size, int component, int type,
                int count) {
@@ -48,44 +48,91 @@ struct Packer {
                     TINYGLTF_TYPE_SCALAR, count);
   }
 
-  void mesh(const lam_gltf_mesh &in) {
-    tinygltf::Primitive p;
-    int positions = vectors(in.positions, in.vertex_count);
+  /* Vectors with their bounds, which positions must have. */
+  int positions(const float *values, int count) {
+    int index = vectors(values, count);
     tinygltf::Accessor &a = model.accessors.back();
     for (int k = 0; k < 3; k++) {
-      float low = in.positions[k], high = low;
-      for (int v = 1; v < in.vertex_count; v++) {
-        low = std::min(low, in.positions[3 * v + k]);
-        high = std::max(high, in.positions[3 * v + k]);
+      float low = values[k], high = low;
+      for (int v = 1; v < count; v++) {
+        low = std::min(low, values[3 * v + k]);
+        high = std::max(high, values[3 * v + k]);
       }
       a.minValues.push_back(low);
       a.maxValues.push_back(high);
     }
-    p.attributes["POSITION"] = positions;
+    return index;
+  }
+
+  int numbers(const std::vector<float> &values) {
+    int index = accessor(scalar_view, scalars, values.data(), sizeof(float) * values.size(),
+                         TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, static_cast<int>(values.size()));
+    model.accessors.back().minValues = {*std::min_element(values.begin(), values.end())};
+    model.accessors.back().maxValues = {*std::max_element(values.begin(), values.end())};
+    return index;
+  }
+
+  void mesh(const lam_gltf_mesh &in) {
+    tinygltf::Primitive p;
+    p.attributes["POSITION"] = positions(in.positions, in.vertex_count);
     if (in.normals) p.attributes["NORMAL"] = vectors(in.normals, in.vertex_count);
     if (in.colors) p.attributes["COLOR_0"] = vectors(in.colors, in.vertex_count);
     p.indices = indices(in.indices, in.index_count, in.vertex_count);
     p.material = in.material;
     p.mode = in.normals ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_LINE;
+    for (int t = 0; t < in.target_count; t++) {
+      std::map<std::string, int> target;
+      target["POSITION"] = positions(in.position_targets[t], in.vertex_count);
+      if (in.normals) target["NORMAL"] = vectors(in.normal_targets[t], in.vertex_count);
+      p.targets.push_back(target);
+    }
     tinygltf::Mesh m;
     m.name = in.name;
+    m.weights.assign(static_cast<size_t>(in.target_count), 0.0);
     m.primitives.push_back(p);
     model.meshes.push_back(m);
+  }
+
+  void animation(const lam_gltf_scene &in) {
+    tinygltf::Animation animation;
+    animation.name = in.animation.name;
+    for (int i = 0; i < in.node_count; i++) {
+      int targets = in.nodes[i].mesh < 0 ? 0 : in.meshes[in.nodes[i].mesh].target_count;
+      if (targets == 0) continue;
+      std::vector<float> times, weights;
+      for (int k = 0; k <= 2 * targets; k++) {
+        int state = k <= targets ? k : 2 * targets - k;
+        times.push_back(static_cast<float>(k * in.animation.seconds_per_state));
+        for (int t = 1; t <= targets; t++) weights.push_back(t == state ? 1.f : 0.f);
+      }
+      tinygltf::AnimationSampler sampler;
+      sampler.input = numbers(times);
+      sampler.output = numbers(weights);
+      sampler.interpolation = "LINEAR";
+      tinygltf::AnimationChannel channel;
+      channel.sampler = static_cast<int>(animation.samplers.size());
+      channel.target_node = i;
+      channel.target_path = "weights";
+      animation.samplers.push_back(sampler);
+      animation.channels.push_back(channel);
+    }
+    if (!animation.channels.empty()) model.animations.push_back(animation);
   }
 
   /* Views that hold nothing are left out; accessors of the later ones move up. */
   void pack() {
     tinygltf::Buffer buffer;
-    int moved[3] = {-1, -1, -1};
-    std::vector<unsigned char> *parts[3] = {&vertices, &wide, &narrow};
-    for (int v = 0; v < 3; v++) {
+    int moved[4] = {-1, -1, -1, -1};
+    std::vector<unsigned char> *parts[4] = {&vertices, &wide, &narrow, &scalars};
+    for (int v = 0; v < 4; v++) {
       if (parts[v]->empty()) continue;
       tinygltf::BufferView view;
       view.buffer = 0;
       view.byteOffset = buffer.data.size();
       view.byteLength = parts[v]->size();
       view.byteStride = v == vertex_view ? 12 : 0;
-      view.target = v == vertex_view ? TINYGLTF_TARGET_ARRAY_BUFFER : TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+      if (v != scalar_view)
+        view.target = v == vertex_view ? TINYGLTF_TARGET_ARRAY_BUFFER : TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
       moved[v] = static_cast<int>(model.bufferViews.size());
       model.bufferViews.push_back(view);
       buffer.data.insert(buffer.data.end(), parts[v]->begin(), parts[v]->end());
@@ -149,6 +196,7 @@ lam_status lam_gltf_encode(const lam_gltf_scene *scene, char **bytes, size_t *co
     packer.model.asset.generator = "lamella";
     for (int i = 0; i < scene->material_count; i++) packer.model.materials.push_back(material_of(scene->materials[i]));
     for (int i = 0; i < scene->mesh_count; i++) packer.mesh(scene->meshes[i]);
+    if (scene->animation.name) packer.animation(*scene);
     packer.pack();
     add_nodes(*scene, packer.model);
     std::ostringstream stream;

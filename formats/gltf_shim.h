@@ -27,7 +27,17 @@ typedef struct lam_gltf_mesh {
   const float *colors;    /* 3 per vertex, linear RGB; or NULL */
   int index_count;
   const int *indices;
+  /* Morph targets: displacements of positions and, with normals, of normals; 3 per vertex. May be none. */
+  int target_count;
+  const float *const *position_targets, *const *normal_targets;
 } lam_gltf_mesh;
+
+/* Every node whose mesh has morph targets runs through them: the mesh itself at 0, target k at (k + 1)
+ * seconds_per_state, changing evenly in between, then back to the beginning. */
+typedef struct lam_gltf_animation {
+  const char *name; /* NULL: no animation */
+  double seconds_per_state;
+} lam_gltf_animation;
 
 /* A text, or a number when text is NULL. */
 typedef struct lam_gltf_extra {
@@ -50,6 +60,7 @@ typedef struct lam_gltf_scene {
   const lam_gltf_material *materials;
   const lam_gltf_mesh *meshes;
   const lam_gltf_node *nodes;
+  lam_gltf_animation animation;
 } lam_gltf_scene;
 
 /* The bytes of a .glb file: *bytes is freed with free(). LAM_OK, LAM_NO_MEMORY or LAM_FAILED (then *bytes is NULL). The

@@ -1,5 +1,6 @@
 /* Wavefront OBJ in meters. Written: net.obj with the net's faces and its polylines, and parts.obj with all parts as
  * groups. Read: vertices and faces; texture coordinates, normals, lines, groups and materials are passed over. */
+#include "formats/obj.h"
 #include "core/mesh.h"
 #include "formats/format.h"
 #include "formats/scan.h"
@@ -40,12 +41,12 @@ static void write_element(lam_text *out, const char *letter, const int *vertices
   for (int k = 0; k < n && vertices[k] >= 0; k++) lam_text_printf(out, " %d", first + vertices[k] + 1);
 }
 
-static void write_net(const lam_model *model, lam_text *out) {
+void lam_obj_net(const lam_model *model, const lam_vec3 *vertices, lam_text *out) {
   static const struct {
     int family;
     const char *group;
   } groups[] = {{0, "family_0"}, {1, "family_1"}, {-1, "boundary"}};
-  write_vertices(out, model->net->vertices, model->net->vertex_count);
+  write_vertices(out, vertices, model->net->vertex_count);
   lam_text_add(out, "g net\n");
   for (int i = 0; i < model->net->face_count; i++) {
     write_element(out, "f", model->net->faces[i], 4, 0);
@@ -91,7 +92,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   bool net = i == 0 && has_net(model);
   lam_text_printf(out, "# %s: %s, meters\n", model->name, net ? "net" : "parts");
   if (net)
-    write_net(model, out);
+    lam_obj_net(model, model->net->vertices, out);
   else
     write_parts(model, out);
   return LAM_OK;

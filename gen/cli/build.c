@@ -71,18 +71,27 @@ static int read_arguments(lam_arena *arena, int argc, char **argv, arguments *ou
   return out->path ? -1 : lam_complain_plain(2, "build: expected a design file\n%s", usage);
 }
 
-/* Meshes that the design names are looked for beside it. */
+/* Meshes and designs that the design names are looked for beside it. */
 typedef struct source_files {
   const char *design;
+  struct source_files *user; /* the design whose net starts from this one; NULL: none */
   int count;
-  const char *paths[8];
+  const char *paths[32];
 } source_files;
+enum { most_designs = 8 };
+
+static void remember(source_files *files, const char *path) {
+  while (files->user) files = files->user;
+  for (int i = 0; i < files->count; i++)
+    if (strcmp(files->paths[i], path) == 0) return;
+  if (files->count < 32) files->paths[files->count++] = path;
+}
 
 static const char *beside(source_files *files, lam_arena *arena, const char *path) {
   const char *slash = path[0] != '/' ? strrchr(files->design, '/') : NULL;
   int folder = slash ? (int)(slash - files->design) + 1 : 0;
   const char *full = lam_arena_printf(arena, "%.*s%s", folder, files->design, path);
-  if (files->count < 8) files->paths[files->count++] = full;
+  remember(files, full);
   return full;
 }
 
@@ -96,6 +105,47 @@ static bool load_triangles(void *context, lam_arena *arena, const char *path, la
                            lam_trimesh *mesh) {
   (void)place;
   return lam_input_triangles(arena, beside(context, arena, path), errors, mesh);
+}
+
+static bool load_surface(void *context, lam_arena *arena, const char *path, int face, lam_place place,
+                         lam_errors *errors, lam_spline_surface *surface) {
+  (void)place;
+  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface);
+}
+
+/* Builds another design as far as its net. */
+static bool load_net(void *context, lam_arena *arena, const char *name, lam_place place, lam_errors *errors,
+                     lam_mesh *mesh) {
+  const char *ending = strrchr(name, '.') ? "" : ".yaml";
+  source_files *user = context;
+  source_files files = {.design = beside(user, arena, lam_arena_printf(arena, "%s%s", name, ending)), .user = user};
+  int depth = 1, before = errors->count;
+  for (const source_files *f = user; f; f = f->user, depth++)
+    if (strcmp(f->design, files.design) == 0 || depth == most_designs) {
+      lam_error_add(errors, place, "net.from.design",
+                    depth == most_designs ? "%s would be the design number %d in a row; expected at most as many"
+                                          : "%s starts from itself, through %d designs; expected one that does not",
+                    files.design, depth);
+      return false;
+    }
+  char *bytes;
+  size_t count;
+  lam_design design;
+  lam_model model;
+  if (lam_file_read(arena, files.design, (size_t)LAM_DESIGN_MAX_BYTES, errors, &bytes, &count) != LAM_OK) return false;
+  if (!lam_design_parse(arena, bytes, count, files.design, NULL, 0, errors, &design)) return false;
+  lam_references_check(&design, errors);
+  design.parts.count = 0;
+  lam_loader loader = {
+      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
+  if (errors->count > before || !lam_design_build(arena, &design, &loader, NULL, errors, &model)) return false;
+  if (!model.net)
+    lam_error_add(errors, place, "net.from.design", "%s has no net", files.design);
+  else if (!lam_report_converged(model.report))
+    lam_error_add(errors, place, "net.from.design", "the net of %s does not converge", files.design);
+  else
+    *mesh = *model.net;
+  return errors->count == before;
 }
 
 /* Spaces and dollars would end a name in a rule. */
@@ -171,7 +221,8 @@ static int build(lam_arena *arena, int argc, char **argv) {
   if (errors.count == 0) lam_references_check(design, &errors);
   if (errors.count) return lam_complain(&errors);
   source_files files = {.design = given.path};
-  lam_loader loader = {load_mesh, load_triangles, &files};
+  lam_loader loader = {
+      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
   lam_progress progress = lam_terminal_progress(arena, given.quiet);
   lam_model *model = LAM_NEW(arena, lam_model, 1);
   if (!lam_design_build(arena, design, &loader, &progress, &errors, model)) {

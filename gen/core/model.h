@@ -30,7 +30,15 @@ typedef struct lam_polyline {
   int *vertices;
 } lam_polyline;
 
-/* ---- smooth surfaces ---- */
+/* ---- smooth curves and surfaces ---- */
+/* A spline curve x(t) = sum N_i(t) w_i P_i / sum N_i(t) w_i. */
+typedef struct lam_spline_curve {
+  int degree, count;
+  const double *knots;    /* count + degree + 1 numbers that do not decrease */
+  const lam_vec3 *points; /* count; meters, not multiplied by weights */
+  const double *weights;  /* count, positive; NULL: all 1, a polynomial curve */
+} lam_spline_curve;
+
 /* A tensor-product spline surface x(u,v) = sum N_i(u) N_j(v) w_ij P_ij / sum N_i(u) N_j(v) w_ij. */
 typedef struct lam_spline_surface {
   const char *name; /* unique and file-name safe; NULL outside a model */
@@ -123,6 +131,7 @@ typedef struct lam_part {
   int group;        /* which physical element it belongs to (the two sheets of a pair share it); -1 when none */
   int congruence;   /* parts with the same number are copies of each other; counts from 1; 0 when not known */
   const lam_material *material;
+  bool drawn;         /* to be looked at, not made: it may pass through other parts, and has no flat pattern */
   lam_trimesh solid;  /* closed and oriented */
   int instance_count; /* 0: the solid stands where it is; n: it is placed by frames (and not where it is) */
   lam_frame *instances;
@@ -216,7 +225,9 @@ typedef struct lam_model {
   const lam_mesh *net; /* NULL when the design has none */
   int polyline_count;
   const lam_polyline *polylines;
-  int surface_count; /* smooth surfaces that are splines */
+  int frame_count;               /* states of the net on its way to the result; 0: none were kept */
+  const lam_vec3 *const *frames; /* positions of the net's vertices */
+  int surface_count;             /* smooth surfaces that are splines */
   const lam_spline_surface *surfaces;
   int part_count;
   const lam_part *parts;

@@ -3,6 +3,8 @@
 #include "fab/lamella_checks.h"
 #include "fab/sheet.h"
 #include "fab/workshop.h"
+#include "net/coarsen.h"
+#include "net/diagonalize.h"
 #include "net/map.h"
 #include "net/optimize.h"
 #include "net/start.h"
@@ -58,6 +60,15 @@ static bool load_mesh(pipeline *p, const lam_net_common *common, lam_mesh *mesh)
   return false;
 }
 
+static bool load_net(pipeline *p, const lam_net_common *common, lam_mesh *mesh) {
+  lam_place place = p->design->net.place;
+  if (p->loader && p->loader->net)
+    return p->loader->net(p->loader->context, p->arena, common->from.design, place, p->errors, mesh);
+  lam_error_add(p->errors, place, "net.from.design", "%s cannot be built: this caller loads no designs",
+                common->from.design);
+  return false;
+}
+
 /* The lines of the surface that the net asks for, by formula or traced. */
 static bool start_net(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
   const lam_net_source *from = &common->from;
@@ -85,6 +96,7 @@ static bool start_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
 static bool initial_mesh(pipeline *p, const lam_net_kind *kind, const lam_net_common *common, lam_mesh *mesh) {
   const lam_design *design = p->design;
   if (common && common->from.file) return load_mesh(p, common, mesh);
+  if (common && common->from.design) return load_net(p, common, mesh);
   if (kind && kind->start) {
     if (design->surface.head)
       lam_error_add(p->errors, design->surface.place, "surface", "given, but %s makes its own start; expected none",
@@ -107,9 +119,28 @@ static bool build_net(pipeline *p, const lam_mesh *mesh, lam_place place) {
   return lam_net_build(p->arena, mesh, place, p->errors, p->net);
 }
 
-static bool refine(pipeline *p, lam_mesh *mesh, int times, lam_place place) {
+static bool refuse(pipeline *p, lam_place place, const char *key, const char *why) {
+  lam_error_add(p->errors, place, key, "the net cannot be changed so: %s", why);
+  return false;
+}
+
+/* Diagonals, then every other line left out, then subdivided. */
+static bool refine(pipeline *p, lam_mesh *mesh, const lam_net_common *common, lam_place place) {
   if (!build_net(p, mesh, place)) return false;
-  for (int i = 0; i < times; i++) {
+  if (!common) return true;
+  if (common->diagonalize) {
+    const char *why = lam_net_diagonalize(p->arena, p->net, mesh);
+    if (why) return refuse(p, place, "net.diagonalize", why);
+    if (!build_net(p, mesh, place)) return false;
+  }
+  for (int i = 0; i < common->coarsen; i++) {
+    lam_coarse coarse;
+    const char *why = lam_net_coarsen(p->arena, p->net, &coarse);
+    if (why) return refuse(p, place, "net.coarsen", why);
+    *mesh = coarse.mesh;
+    if (!build_net(p, mesh, place)) return false;
+  }
+  for (int i = 0; i < common->subdivide; i++) {
     *mesh = lam_net_four_point(p->arena, p->net);
     if (!build_net(p, mesh, place)) return false;
   }
@@ -141,11 +172,24 @@ static bool solve_net(pipeline *p, const lam_net_kind *kind, const lam_net_commo
                  p->net->mesh.face_count, result.solution.unknowns, result.solution.residuals);
   lam_stage_note(p->arena, stage, "largest move from the start: %.3g mean edges", result.drift);
   if (result.levels) lam_stage_note(p->arena, stage, "%d coarser nets solved first", result.levels);
+  p->model->frame_count = result.frame_count;
+  p->model->frames = result.frames;
   if (result.skipped) lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
   if (!result.converged && result.solution.worst)
     lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);
   end_stage(p, stage);
   return true;
+}
+
+/* The frames stand where the result does. */
+static void lift_frames(pipeline *p, double lift) {
+  lam_vec3 **lifted = LAM_NEW(p->arena, lam_vec3 *, p->model->frame_count);
+  for (int k = 0; k < p->model->frame_count; k++) {
+    lifted[k] = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
+    for (int v = 0; v < p->net->mesh.vertex_count; v++)
+      lifted[k][v] = lam_add(p->model->frames[k][v], lam_v3(0, 0, lift));
+  }
+  p->model->frames = (const lam_vec3 *const *)lifted;
 }
 
 static bool make_net(pipeline *p) {
@@ -156,14 +200,18 @@ static bool make_net(pipeline *p) {
   lam_mesh mesh;
   lam_place place = kind ? design->net.place : design->surface.place;
   p->net = LAM_NEW(p->arena, lam_net, 1);
-  if (!initial_mesh(p, kind, common, &mesh) || !refine(p, &mesh, common ? common->subdivide : 0, place)) return false;
+  if (!initial_mesh(p, kind, common, &mesh) || !refine(p, &mesh, common, place)) return false;
   if (kind) {
     if (common->noise > 0)
       lam_mesh_perturb(&p->net->mesh, common->noise * lam_net_mean_edge(p->net, p->net->mesh.vertices), common->seed);
     if (!solve_net(p, kind, common)) return false;
     const lam_surface_place *placing = design->surface.head ? design->surface.common : NULL;
     bool held = common->handles.count > 0 || common->boundary != LAM_BOUNDARY_FREE || common->reference_given;
-    if (placing && placing->ground && !held) p->placed.lift += lam_mesh_ground(&p->net->mesh);
+    if (placing && placing->ground && !held) {
+      double lift = lam_mesh_ground(&p->net->mesh);
+      p->placed.lift += lift;
+      lift_frames(p, lift);
+    }
   }
   p->normals = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
   lam_net_normals(p->net, p->net->mesh.vertices, p->normals);
@@ -174,6 +222,22 @@ static bool make_net(pipeline *p) {
 }
 
 /* ---- the surface ---- */
+
+static bool make_surface(pipeline *p) {
+  const lam_row *row = &p->design->surface;
+  const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
+  int before = p->errors->count;
+  if (!kind) return true;
+  if (kind->reads_file && p->loader && p->loader->surface) {
+    lam_surface_source *source = row->params;
+    lam_spline_surface *surface = LAM_NEW(p->arena, lam_spline_surface, 1);
+    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface))
+      return false;
+    source->surface = surface;
+  }
+  p->surface = lam_surface_make(p->arena, row, p->errors);
+  return p->errors->count == before;
+}
 
 static void report_surface(pipeline *p) {
   const lam_surface_kind *kind = p->surface.kind;
@@ -297,12 +361,10 @@ bool lam_report_converged(const lam_report *report) {
 
 bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader,
                       const lam_progress *progress, lam_errors *errors, lam_model *model) {
-  int before = errors->count;
   *model = (lam_model){.name = design->name, .title = design->title, .source = design->source, .version = LAM_VERSION};
   pipeline p = {
       .arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
-  if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
-  if (errors->count > before) return false;
+  if (!make_surface(&p)) return false;
   report_surface(&p);
   if (!make_net(&p) || !make_maps(&p)) return false;
   keep_spline(&p);

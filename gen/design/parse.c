@@ -57,7 +57,7 @@ static void complain_alone(const lam_filler *filler, const lam_node *root, const
 static void check_stages(const lam_filler *filler, const lam_node *root, const lam_design *design) {
   const lam_net_common *net = design->net.common;
   const lam_net_kind *kind = (const lam_net_kind *)design->net.head;
-  if (kind && !kind->start && !net->from.file && !find(root, "surface")) {
+  if (kind && !kind->start && !net->from.file && !net->from.design && !find(root, "surface")) {
     complain_alone(filler, root, "net", "a net without a surface; expected surface: {...}, or from: {file: mesh.obj}");
   }
   if (design->parts.count > 0 && !find(root, "net")) {

@@ -34,8 +34,9 @@ static const lam_key keys[] = {{.name = "angle",
                                {0}};
 
 static const char *const measures[] = {
-    "opposite_angle", "angle_deviation", "crossing_angle", "straightness_u", "straightness_v",
-    "edge_length",    "shortest_edge",   "foldovers",      "flatness",       NULL};
+    "opposite_angle", "angle_deviation", "gauss_image_area", "gauss_image_area_signed",
+    "crossing_angle", "straightness_u",  "straightness_v",   "edge_length",
+    "shortest_edge",  "foldovers",       "flatness",         NULL};
 
 const lam_net_kind lam_net_dig = {
     .head = {"dig", "Isogonal geodesic net (developable)",

@@ -29,9 +29,13 @@ static const lam_key keys[] = {{.name = "border",
                                        "equally long: a start whose sides differ cannot keep them."},
                                {0}};
 
-static const char *const measures[] = {"angle_spread",   "opposite_angle",   "orthogonality",    "straightness_u",
-                                       "straightness_v", "edge_variation_u", "edge_variation_v", "edge_length",
-                                       "shortest_edge",  "foldovers",        "flatness",         NULL};
+static const char *const measures[] = {"angle_spread",     "opposite_angle",
+                                       "gauss_image_area", "gauss_image_area_signed",
+                                       "orthogonality",    "straightness_u",
+                                       "straightness_v",   "edge_variation_u",
+                                       "edge_variation_v", "edge_length",
+                                       "shortest_edge",    "foldovers",
+                                       "flatness",         NULL};
 
 const lam_net_kind lam_net_dog = {
     .head =

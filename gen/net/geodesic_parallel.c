@@ -76,13 +76,24 @@ static const lam_key keys[] = {
          "1e-4 of an edge stays, and strain tells how much the net stretched."},
     {0}};
 
-static const char *const measures[] = {"geodesic_error_u", "geodesic_error_v",
-                                       "orthogonality",    "edge_variation_u",
-                                       "edge_variation_v", "spacing_u",
-                                       "spacing_v",        "edge_strain",
-                                       "shear_strain",     "edge_length",
-                                       "shortest_edge",    "foldovers",
-                                       "flatness",         NULL};
+static const char *const measures[] = {"straightness_u",
+                                       "straightness_v",
+                                       "geodesic_error_u",
+                                       "geodesic_error_v",
+                                       "orthogonality",
+                                       "edge_variation_u",
+                                       "edge_variation_v",
+                                       "spacing_u",
+                                       "spacing_v",
+                                       "edge_strain",
+                                       "shear_strain",
+                                       "gauss_image_area",
+                                       "gauss_image_area_signed",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_geodesic_parallel = {
     .head =

@@ -115,7 +115,7 @@ static int closed_grid_vertex(const resolver *r, int i, int j) {
   const lam_net *net = r->net;
   const int *grid = r->common->grid;
   lam_polyline line;
-  if (r->common->from.file || (net->loop_count && net->loop_count != 2)) return -1;
+  if (r->common->from.file || r->common->from.design || (net->loop_count && net->loop_count != 2)) return -1;
   bool along_u = net->loop_count && lam_net_side(r->arena, net, LAM_SIDE_V0, &line);
   bool along_v = net->loop_count && lam_net_side(r->arena, net, LAM_SIDE_U0, &line);
   if (net->loop_count && !along_u && !along_v) return -1;

@@ -43,6 +43,7 @@ typedef enum lam_boundary { LAM_BOUNDARY_FREE, LAM_BOUNDARY_FIXED, LAM_BOUNDARY_
 typedef struct lam_net_source {
   int stage; /* 0: the surface */
   const char *file;
+  const char *design;
   int lines;  /* 0: those that the net's kind asks for; else the chart + 1 */
   bool trace; /* traced even where the surface has the chart in closed form */
   double at[2];
@@ -84,6 +85,8 @@ typedef struct lam_net_common {
   lam_net_source from;
   int grid[2];
   int hole;
+  bool diagonalize;
+  int coarsen;
   int subdivide;
   int levels;
   bool levels_given;
@@ -94,6 +97,7 @@ typedef struct lam_net_common {
   lam_reference_keys reference;
   bool reference_given;
   lam_solver_keys solver;
+  int animate;
   double noise;
   int seed;
 } lam_net_common;

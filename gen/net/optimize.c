@@ -1,4 +1,5 @@
 #include "net/optimize.h"
+#include "net/frames.h"
 #include "net/handles.h"
 #include "net/measure.h"
 #include "net/multilevel.h"
@@ -15,8 +16,10 @@ typedef struct attempt {
   const lam_tree *tree;
   lam_trimesh reference; /* in solver units */
   int *handle_vertices;
-  int levels;  /* coarser nets that were solved before */
-  bool let_go; /* handles with release: yes no longer hold */
+  int levels;          /* coarser nets that were solved before */
+  bool let_go;         /* handles with release: yes no longer hold */
+  lam_frames *frames;  /* NULL: none are kept */
+  bool frame_per_step; /* of the handles; else per iteration */
 } attempt;
 
 static void prepare_reference(attempt *a) {
@@ -144,8 +147,15 @@ static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start
   if (a->errors->count) return none;
   if (a->let_go) schedule.fairness = 0;
   if (schedule.fairness > 0) add_guide(a, &scope);
-  lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, job->progress)
-                                 : lam_guided_solve(problem, &schedule, job->progress);
+  lam_progress watching = {0};
+  if (a->frames) {
+    a->frames->problem = a->frame_per_step ? NULL : problem;
+    a->frames->next = job->progress;
+    watching = lam_frames_progress(a->frames);
+  }
+  const lam_progress *progress = a->frames ? &watching : job->progress;
+  lam_solution solution = thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, progress)
+                                 : lam_guided_solve(problem, &schedule, progress);
   if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
   lam_problem_positions(problem, positions);
   *skipped = scope.skipped;
@@ -190,6 +200,7 @@ static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net
   lam_net_job job = *a->job;
   keys.handles = coarse_handles(a, &coarse);
   keys.levels = levels - 1;
+  keys.animate = 0;
   keys.levels_given = common->levels_given;
   job.common = &keys;
   lam_net_kind kind = *job.kind;
@@ -239,12 +250,20 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     steps = 1;
   else if (job->common->solver.smooth)
     smooth(&a, start, x);
+  lam_frames frames;
+  if (job->common->animate > 0) {
+    frames = lam_frames_new(arena, job->common->animate, n, a.unit);
+    a.frames = &frames;
+    a.frame_per_step = steps > 1;
+    lam_frames_add(&frames, start);
+  }
   int iterations = result->solution.iterations;
   for (int step = 1; step <= steps + any_released(handles); step++) {
     a.let_go = step > steps;
     result->solution = solve(&a, x, start, fmin(1, (double)step / steps), &result->skipped);
     iterations += result->solution.iterations;
     if (errors->count > before) return false;
+    if (a.frames && a.frame_per_step) lam_frames_add(a.frames, x);
   }
   result->solution.iterations = iterations;
   result->degenerate = lam_net_degenerate(arena, net, start, x);
@@ -255,6 +274,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
     result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
     net->mesh.vertices[v] = lam_scale(x[v], a.unit);
   }
+  if (a.frames) result->frames = lam_frames_finish(arena, &frames, x, &result->frame_count);
   lam_net_measure_result(arena, job, net, begin, result);
   return true;
 }

@@ -22,8 +22,10 @@ typedef struct lam_net_result {
   long skipped; /* irregular vertices that constraints on regular stars left out */
   int measure_count;
   lam_measure *measures;
-  lam_measuring measuring; /* what they were measured with; reference_mesh is the caller's */
-  double drift;            /* largest displacement from the start, in mean edges */
+  int frame_count;               /* of `animate`: at most so many, from the start to the solution */
+  const lam_vec3 *const *frames; /* positions of all vertices, meters */
+  lam_measuring measuring;       /* what they were measured with; reference_mesh is the caller's */
+  double drift;                  /* largest displacement from the start, in mean edges */
 } lam_net_result;
 
 /* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go to errors; false

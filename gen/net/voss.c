@@ -20,9 +20,10 @@ static const lam_key keys[] = {{.name = "boundary-length",
                                 .doc = "Every side of the boundary keeps its length."},
                                {0}};
 
-static const char *const measures[] = {
-    "opposite_angle", "face_planarity", "geodesic_error_u", "geodesic_error_v", "crossing_angle",
-    "edge_length",    "shortest_edge",  "foldovers",        "flatness",         NULL};
+static const char *const measures[] = {"opposite_angle",   "face_planarity",   "geodesic_error_u",
+                                       "geodesic_error_v", "gauss_image_area", "gauss_image_area_signed",
+                                       "crossing_angle",   "edge_length",      "shortest_edge",
+                                       "foldovers",        "flatness",         NULL};
 
 const lam_net_kind lam_net_voss = {
     .head =

@@ -45,7 +45,7 @@ enum { said_so = 1 };
 static size_t make(lam_arena *arena, lam_errors *errors, const char *text) {
   lam_design design;
   lam_model model;
-  lam_loader loader = {NULL, load, NULL};
+  lam_loader loader = {.triangles = load};
   if (!lam_design_parse(arena, text, strlen(text), "small.yaml", NULL, 0, errors, &design)) return 0;
   if (!lam_design_build(arena, &design, &loader, NULL, errors, &model)) return 0;
   for (int i = 0; i < model.report->stage_count; i++) model.report->stages[i].seconds = 0;

@@ -1,5 +1,6 @@
-/* Coarser nets, on every topology. */
+/* Coarser nets and nets of diagonals, on every topology. */
 #include "net/coarsen.h"
+#include "net/diagonalize.h"
 #include "net_fixture.h"
 
 static lam_coarse coarsened(net_fixture *f, const lam_net *net) {
@@ -127,11 +128,45 @@ static void what_does_not_pair_up(void **state) {
   assert_int_equal(coarse.mesh.face_count, 2);
 }
 
+/* 4 x 6 cells: a face around every inner vertex with i + j odd (7 of 15); edges are diagonals, of length sqrt 2. A
+ * torus of n x m vertices: half of them stay, and as many faces. The monkey saddle keeps its vertex of valence 6. Twice
+ * diagonalized is coarsened, on a torus. */
+static void diagonals(void **state) {
+  net_fixture *f = *state;
+  lam_mesh meshes[] = {net_grid(f->arena, 5, 7, net_plane), net_torus(f->arena, 8, 12, 3, 1), net_monkey(f, 4, 0)}, out;
+  static const int faces[] = {7, 48, -1}, irregular[] = {0, 0, 1};
+  for (int i = 0; i < 3; i++) {
+    lam_net net = net_built(f, &meshes[i]);
+    assert_null(lam_net_diagonalize(f->arena, &net, &out));
+    lam_net again = net_built(f, &out);
+    if (faces[i] >= 0) assert_int_equal(out.face_count, faces[i]);
+    assert_int_equal(again.irregular_count, irregular[i]);
+    assert_int_equal(again.mesh.vertex_count - again.edge_count + again.mesh.face_count, i == 1 ? 0 : 1);
+    if (i == 0)
+      for (int e = 0; e < again.edge_count; e++)
+        assert_near(lam_distance(out.vertices[again.edges[e].vertex[0]], out.vertices[again.edges[e].vertex[1]]),
+                    sqrt(2), 1e-15);
+    if (i != 1) continue;
+    assert_null(lam_net_diagonalize(f->arena, &again, &out));
+    lam_coarse coarse = coarsened(f, &net);
+    assert_int_equal(out.vertex_count, coarse.mesh.vertex_count);
+    assert_memory_equal(out.vertices, coarse.mesh.vertices, sizeof(lam_vec3) * (size_t)out.vertex_count);
+  }
+  lam_mesh odd = net_tube(f->arena, 7, 4), cube = net_cube(f->arena), strip = net_grid(f->arena, 2, 5, net_plane);
+  lam_net net = net_built(f, &odd);
+  assert_non_null(strstr(lam_net_diagonalize(f->arena, &net, &out), "odd number of edges"));
+  net = net_built(f, &cube);
+  assert_non_null(strstr(lam_net_diagonalize(f->arena, &net, &out), "odd number of edges apart"));
+  net = net_built(f, &strip);
+  assert_non_null(strstr(lam_net_diagonalize(f->arena, &net, &out), "no inner vertex"));
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       NET_TEST(grids_keep_every_other_line),
       NET_TEST(coarsening_reverses_subdivision),
       NET_TEST(what_does_not_pair_up),
+      NET_TEST(diagonals),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

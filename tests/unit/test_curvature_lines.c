@@ -232,8 +232,8 @@ static void s_isothermic_on_isothermic_surfaces(void **state) {
         .u = {rows[i].p[0], rows[i].p[1]}, .v = {rows[i].q[0], rows[i].q[1]}, .u_given = true, .v_given = true};
     lam_mesh mesh;
     int grid[2] = {rows[i].n, rows[i].m};
-    assert_true(
-        lam_net_start(f->arena, &surface, LAM_CHART_PRINCIPAL, grid, 0, &placing, (lam_place){0}, &f->errors, &mesh, NULL));
+    assert_true(lam_net_start(f->arena, &surface, LAM_CHART_PRINCIPAL, grid, 0, &placing, (lam_place){0}, &f->errors,
+                              &mesh, NULL));
     lam_net net = net_built(f, &mesh);
     lam_net_result result = solved(f, "s-isothermic", &net, "{}");
     if (!result.converged) fail_msg("%s: %s", rows[i].surface, result.reason);

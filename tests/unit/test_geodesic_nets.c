@@ -199,6 +199,41 @@ static void geodesics_of_a_pin_keep_clairauts_constant(void **state) {
 
 /* ---- bending ---- */
 
+/* Strips along the geodesics of a nearly developable net, on its rulings: the ruling at a vertex is the direction in
+ * which the normals n of its two neighbors on the line agree, n(k-1) x n(k+1). Over the distance of one edge the quads
+ * between rulings are flat to 7e-4 of their diagonals (reference solution; the quads of the net itself: .015). */
+static void strips_on_rulings_are_flat(void **state) {
+  net_fixture *f = *state;
+  lam_mesh mesh = case_mesh(f, "20_dgpc_developable_cyl30");
+  outcome o = solve(f, &mesh, "geodesic-parallel", "{developable: one-line}", "{}");
+  assert_converged(&o, "cylinder");
+  assert_near(measure(f, &o, "face_planarity"), .015, .001);
+  lam_vec3 normal[15 * 15], end[15 * 15];
+  lam_net_normals(&o.net, o.net.mesh.vertices, normal);
+  double worst = 0;
+  int count = 0;
+  for (int j = 1; j < 14; j++) {
+    bool before = false;
+    for (int i = 2; i < 13; i++) {
+      int v = 15 * i + j;
+      lam_vec3 x = o.net.mesh.vertices[v], r = lam_cross(normal[v - 15], normal[v + 15]);
+      lam_vec3 t = lam_unit(lam_sub(o.net.mesh.vertices[v + 15], o.net.mesh.vertices[v - 15]));
+      lam_vec3 across = lam_cross(normal[v], t);
+      bool curved = lam_length(r) > .03; /* where it is flat there is no ruling */
+      end[v] = lam_along(x, 1 / lam_dot(r, across), r);
+      if (curved && before) {
+        lam_vec3 d = lam_sub(end[v], o.net.mesh.vertices[v - 15]), e = lam_sub(end[v - 15], x), n = lam_cross(d, e);
+        double off = fabs(lam_dot(lam_unit(n), lam_sub(x, o.net.mesh.vertices[v - 15])));
+        worst = fmax(worst, off / (.5 * (lam_length(d) + lam_length(e))));
+        count++;
+      }
+      before = curved;
+    }
+  }
+  assert_below(worst, 7.3e-4);
+  assert_true(count > 60);
+}
+
 /* A 17 x 17 sheet of 16 edges; two opposite inner corners are lifted by 4 edges in five steps, the others and the
  * middle stay. Reference solution: Gauss image .00257, a residual of 2e-15 with one geodesic divided evenly, but 1e-5
  * with all of them, which are 990 equations (with the handles) for 867 unknowns. */
@@ -445,6 +480,7 @@ int main(void) {
       NET_TEST(orthogonal_geodesic_nets_are_nearly_developable),
       NET_TEST(isogonal_geodesic_nets_tend_to_developable),
       NET_TEST(geodesics_of_a_pin_keep_clairauts_constant),
+      NET_TEST(strips_on_rulings_are_flat),
       NET_TEST(a_sheet_bends_by_handles),
       NET_TEST(bending_without_stretching_has_a_floor),
       NET_TEST(handles_out_of_reach_show_as_strain),
