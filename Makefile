@@ -28,7 +28,8 @@ libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -l
 packages_build := gcc g++ libc6-dev libsuitesparse-dev libopenblas-dev libcgal-dev libtinygltf-dev \
                   libpolyclipping-dev libyaml-dev libjansson-dev libpng-dev
 packages_show  := povray povray-includes
-packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm
+packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm \
+                  libocct-data-exchange-dev
 packages_pics  := $(packages_show) netpbm libjpeg-turbo-progs
 
 cli_src := $(wildcard gen/cli/*.c)

@@ -21,6 +21,7 @@
   row(surface) \
   row(step) \
   row(iges) \
+  row(surface_obj) \
   row(plot) \
   row(plot_gltf) \
   row(frames) \
@@ -37,6 +38,6 @@ const int lam_format_count = sizeof lam_formats / sizeof *lam_formats;
 const lam_format *lam_format_for(const char *path) {
   const char *dot = strrchr(path, '.');
   for (int i = 0; dot && i < lam_format_count; i++)
-    if (lam_formats[i]->ending && strcasecmp(lam_formats[i]->ending, dot + 1) == 0) return lam_formats[i];
+    if (has_ending(lam_formats[i]->ending, dot + 1)) return lam_formats[i];
   return NULL;
 }

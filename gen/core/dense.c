@@ -147,8 +147,8 @@ lam_least lam_least_energy(lam_arena *arena, int n, const double *h, const doubl
                            const double *d, double tolerance, double *x) {
   lam_arena_mark mark = lam_arena_mark_get(arena);
   double *rows = LAM_NEW(arena, double, m *n), *right = LAM_NEW(arena, double, m), *w = LAM_NEW(arena, double, m *n);
-  memcpy(rows, c, (size_t)m * n * sizeof *rows);
-  memcpy(right, d, (size_t)m * sizeof *right);
+  for (int i = 0; i < m * n; i++) rows[i] = c[i];
+  for (int i = 0; i < m; i++) right[i] = d[i];
   int rank = reduce_rows(n, m, rows, right, tolerance, w), left = n - rank;
   lam_least result = LAM_LEAST_FOUND;
   double *y = LAM_NEW(arena, double, n), *null = LAM_NEW(arena, double, left *n), *product = LAM_NEW(arena, double, n);

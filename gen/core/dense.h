@@ -27,8 +27,8 @@ typedef enum lam_least {
 } lam_least;
 /* The x[n] that minimizes 1/2 x^T h x + g^T x subject to c x = d, for h (n x n, symmetric) positive definite on the
  * constraints, and m constraints of any rank: rows that depend on others are dropped when they agree with them. The
- * rows of c are expected to be scaled to about 1; what is below tolerance counts as zero. Null-space method: c^T is
- * factored by Householder reflections with column exchanges. */
+ * rows of c are expected to be scaled to about 1 (c and d may be NULL when m is 0); what is below tolerance counts as
+ * zero. Null-space method: c^T is factored by Householder reflections with column exchanges. */
 lam_least lam_least_energy(lam_arena *arena, int n, const double *h, const double *g, int m, const double *c,
                            const double *d, double tolerance, double *x);
 

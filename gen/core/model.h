@@ -30,7 +30,15 @@ typedef struct lam_polyline {
   int *vertices;
 } lam_polyline;
 
-/* ---- smooth surfaces ---- */
+/* ---- smooth curves and surfaces ---- */
+/* A spline curve x(t) = sum N_i(t) w_i P_i / sum N_i(t) w_i. */
+typedef struct lam_spline_curve {
+  int degree, count;
+  const double *knots;    /* count + degree + 1 numbers that do not decrease */
+  const lam_vec3 *points; /* count; meters, not multiplied by weights */
+  const double *weights;  /* count, positive; NULL: all 1, a polynomial curve */
+} lam_spline_curve;
+
 /* A tensor-product spline surface x(u,v) = sum N_i(u) N_j(v) w_ij P_ij / sum N_i(u) N_j(v) w_ij. */
 typedef struct lam_spline_surface {
   const char *name; /* unique and file-name safe; NULL outside a model */

@@ -223,6 +223,22 @@ static bool make_net(pipeline *p) {
 
 /* ---- the surface ---- */
 
+static bool make_surface(pipeline *p) {
+  const lam_row *row = &p->design->surface;
+  const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
+  int before = p->errors->count;
+  if (!kind) return true;
+  if (kind->reads_file && p->loader && p->loader->surface) {
+    lam_surface_source *source = row->params;
+    lam_spline_surface *surface = LAM_NEW(p->arena, lam_spline_surface, 1);
+    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface))
+      return false;
+    source->surface = surface;
+  }
+  p->surface = lam_surface_make(p->arena, row, p->errors);
+  return p->errors->count == before;
+}
+
 static void report_surface(pipeline *p) {
   const lam_surface_kind *kind = p->surface.kind;
   if (!kind || !kind->report) return;
@@ -345,12 +361,10 @@ bool lam_report_converged(const lam_report *report) {
 
 bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader,
                       const lam_progress *progress, lam_errors *errors, lam_model *model) {
-  int before = errors->count;
   *model = (lam_model){.name = design->name, .title = design->title, .source = design->source, .version = LAM_VERSION};
   pipeline p = {
       .arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
-  if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
-  if (errors->count > before) return false;
+  if (!make_surface(&p)) return false;
   report_surface(&p);
   if (!make_net(&p) || !make_maps(&p)) return false;
   keep_spline(&p);

@@ -66,6 +66,18 @@ typedef struct lam_asymptotic_patch {
   double energy; /* integral of |x_uu|^2 + 2 |x_uv|^2 + |x_vv|^2, as it was minimized (thesis, eq. 2.8) */
 } lam_asymptotic_patch;
 
+/* What of the corner data is left out. */
+typedef struct lam_quad_missing {
+  bool sides;      /* follow from the tangents; a side whose tangents are along the chord is straight */
+  bool curvatures; /* chosen for least bending energy of the boundary */
+  bool slopes;     /* vertical parts of the tangents, chosen with the curvatures for least thin-plate energy of the bi-7
+                      surface; the horizontal parts are given */
+} lam_quad_missing;
+/* Completes corner data in place. The energy is brought to a local minimum over what is left out, with curvatures
+ * between exp(-5) and exp(5) over the chord. false, with an error, when nothing completes the data. */
+bool lam_quad_corners_complete(lam_arena *arena, lam_quad_corners *corners, lam_quad_form form,
+                               lam_quad_missing missing, lam_place place, lam_errors *errors);
+
 /* The surface of the form over the corner data. false: the data admit none; what is wrong is added to errors, with the
  * key of a design that it concerns. */
 bool lam_asymptotic_patch_make(lam_arena *arena, const lam_quad_corners *corners, lam_quad_form form, lam_place place,

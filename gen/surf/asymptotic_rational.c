@@ -7,7 +7,7 @@
  * logarithms of the w_2, of rank three; the closure condition
  *   (A1(0) - A2(0)) - (A1(1) - A4(0)) - (A3(0) - A2(1)) + (A3(1) - A4(1)) = 0
  * determines |c(1)| / |c(0)| on r4, hence s_4. Left are s_1, s_2, s_3 and w_2 of r1, for least bending energy. */
-#include "core/dense.h"
+#include "core/minimize.h"
 #include "surf/asymptotic_parts.h"
 
 typedef struct lam_rational {
@@ -73,70 +73,12 @@ static bool set_boundary(lam_rational *r, const double x[4]) {
   return true;
 }
 
-static double energy_at(lam_rational *r, const double x[4]) {
+static double energy_at(void *data, const double *x) {
+  lam_rational *r = data;
   double sum = 0;
   if (!set_boundary(r, x)) return INFINITY;
   for (int i = 0; i < 4; i++) sum += lam_quad_curve_bending(&r->boundary->curve[i]);
   return sum;
-}
-
-/* Gradient and Hessian by central differences. */
-static void derive(lam_rational *r, const double x[4], double energy, double gradient[4], double hessian[16]) {
-  const double h = 1e-4, small = 2e-5;
-  for (int i = 0; i < 4; i++)
-    for (int j = 0; j <= i; j++) {
-      double sum = 0;
-      for (int k = 0; k < 4; k++) {
-        double y[4] = {x[0], x[1], x[2], x[3]};
-        if (i == j && k % 3) continue;
-        y[i] += k / 2 ? h : -h;
-        if (i != j) y[j] += k % 2 ? h : -h;
-        sum += (i == j || k == 0 || k == 3 ? 1 : -1) * energy_at(r, y);
-      }
-      hessian[4 * i + j] = hessian[4 * j + i] = i == j ? (sum - 2 * energy) / (h * h) : sum / (4 * h * h);
-    }
-  for (int i = 0; i < 4; i++) {
-    double low[4] = {x[0], x[1], x[2], x[3]}, high[4] = {x[0], x[1], x[2], x[3]};
-    low[i] -= small;
-    high[i] += small;
-    gradient[i] = (energy_at(r, high) - energy_at(r, low)) / (2 * small);
-  }
-}
-
-/* Damped Newton steps; returns the energy reached. */
-static double minimize(lam_rational *r, double x[4]) {
-  double energy = energy_at(r, x), damping = 1e-3;
-  for (int step = 0; step < 60; step++) {
-    double gradient[4], hessian[16], length = 0;
-    derive(r, x, energy, gradient, hessian);
-    for (int attempt = 0;; attempt++) {
-      double matrix[16], move[4], y[4];
-      if (attempt == 30) return energy;
-      for (int k = 0; k < 16; k++) matrix[k] = hessian[k];
-      for (int k = 0; k < 4; k++) {
-        matrix[5 * k] += damping * (fabs(hessian[5 * k]) + 1e-12 * energy);
-        move[k] = -gradient[k];
-      }
-      length = 0;
-      if (isfinite(matrix[0]) && lam_cholesky_factor(4, matrix)) {
-        lam_cholesky_solve(4, matrix, move);
-        for (int k = 0; k < 4; k++) {
-          y[k] = x[k] + move[k];
-          length = fmax(length, fabs(move[k]));
-        }
-        double reached = energy_at(r, y);
-        if (reached <= energy * (1 + 1e-14)) {
-          for (int k = 0; k < 4; k++) x[k] = y[k];
-          energy = fmin(energy, reached);
-          damping = fmax(damping / 10, 1e-14);
-          break;
-        }
-      }
-      damping = fmax(4 * damping, 1e-8);
-    }
-    if (length < 1e-9) break;
-  }
-  return energy;
 }
 
 /* Lines of the middle points and the sides; an error when there is no right side or no right torsion. */
@@ -165,11 +107,6 @@ static bool prepare(lam_rational *r, lam_place place, lam_errors *errors) {
       bool above = r->corners->side[i][e] * r->cross[i][e][1] > 0;
       r->range[i][!above] = above ? fmax(r->range[i][0], zero) : fmin(r->range[i][1], zero);
     }
-    if (!(r->range[i][0] < r->range[i][1]))
-      lam_error_add(errors, place, "sides",
-                    "a rational quartic r%d cannot bend to side %+d at both ends with these tangents; expected another "
-                    "side or form bi-7",
-                    i + 1, r->corners->side[i][0]);
   }
   for (int corner = 0; corner < 4; corner++) {
     lam_quad_end p = lam_quad_meeting[corner][0], q = lam_quad_meeting[corner][1];
@@ -182,6 +119,12 @@ static bool prepare(lam_rational *r, lam_place place, lam_errors *errors) {
       break;
     }
   }
+  for (int i = 0; i < 4 && errors->count == before; i++)
+    if (!(r->range[i][0] < r->range[i][1]))
+      lam_error_add(errors, place, "sides",
+                    "a rational quartic r%d cannot bend to side %+d at both ends with these tangents; expected another "
+                    "side or form bi-7",
+                    i + 1, r->corners->side[i][0]);
   return errors->count == before;
 }
 
@@ -211,7 +154,7 @@ bool lam_quad_boundary_rational(lam_arena *arena, const lam_quad_corners *corner
                   "corners; expected other tangents, or form bi-7");
     return false;
   }
-  minimize(&r, best);
+  lam_minimize(4, energy_at, &r, 60, best);
   set_boundary(&r, best);
   return true;
 }

@@ -6,6 +6,8 @@
   row(bezier) \
   row(bspline) \
   row(nurbs) \
+  row(file) \
+  row(least_area) \
   row(monge) \
   row(revolution) \
   row(molding) \
@@ -20,7 +22,9 @@
   row(nodoid) \
   row(sphere) \
   row(ellipsoid) \
-  row(torus)
+  row(torus) \
+  row(asymptotic_quad) \
+  row(developable)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_surface_kind lam_surface_##name;

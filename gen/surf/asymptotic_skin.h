@@ -1,0 +1,49 @@
+/* Smooth skins over nets whose mesh polylines are to become asymptotic curves: one bi-9 patch per face. Patches that
+ * share an edge share its curve and the tangent planes along it, because those are the osculating planes of the curve.
+ */
+#ifndef LAM_SURF_ASYMPTOTIC_SKIN_H
+#define LAM_SURF_ASYMPTOTIC_SKIN_H
+
+#include "surf/asymptotic_quad.h"
+
+/* A vertex where two asymptotic curves cross: along u (0) and along v (1). */
+typedef struct lam_skin_vertex {
+  lam_vec3 point;
+  lam_vec3 tangent[2]; /* derivatives when every edge has the parameter length 1; not parallel */
+  double curvature[2]; /* 1/m; positive where the curve bends towards the other tangent; may be 0 */
+  double torsion;      /* 1/m, of the curve along u; that along v has the opposite one */
+} lam_skin_vertex;
+
+/* A face to be filled: its vertices at (u,v) = (0,0), (1,0), (1,1), (0,1), counterclockwise, and by how many quarter
+ * turns (0 to 3) the tangents of each vertex are to be turned there so that they point along u and v of the face:
+ * one turn makes the second tangent the first, and the opposite of the first one the second. */
+typedef struct lam_skin_cell {
+  int vertex[4], turn[4];
+} lam_skin_cell;
+
+/* One patch per cell. Cells that share two vertices share the curve between them; any number may meet at a vertex. The
+ * curves have degree 7 and, with the given ends, the least integral of |r'''|^2. Returns how many were made; those that
+ * fold over their boundary are left out: surface.points is NULL then, and errors says why. */
+int lam_asymptotic_skin_fill(lam_arena *arena, const lam_skin_vertex *vertices, int cell_count,
+                             const lam_skin_cell *cells, lam_place place, lam_errors *errors,
+                             lam_asymptotic_patch *patches);
+/* The patches over count[0] x count[1] vertices (v running fastest), (count[0] - 1) x (count[1] - 1) of them in the
+ * same order. false, with an error, when some patch folds over its boundary or tangents are parallel. */
+bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_skin_vertex *vertices, lam_place place,
+                              lam_errors *errors, lam_asymptotic_patch *patches);
+
+/* Chooses tangents, curvatures and torsions of all vertices, whose points are given (2 x 2 or more), for the least sum
+ * of the integrals of |r'''|^2 over the edges: the tangent planes tilt a little from the planes of the vertex stars of
+ * a discrete asymptotic net, until the curves are calm. On coarse nets the border may curl, which nothing there holds.
+ * Gauss-Newton steps from central differences. Returns the sum; start is that of the differences. NAN, with an error,
+ * when the steps break down. */
+double lam_asymptotic_skin_fit(lam_arena *arena, const int count[2], lam_skin_vertex *vertices, lam_place place,
+                               lam_errors *errors, double *start);
+
+/* For the files surf/asymptotic_skin*.c: the 8 control points of the edge between two vertices, along u or v; gram is
+ * that of the third derivatives of Bezier curves of degree 7. */
+enum { LAM_SKIN_DEGREE = 7, LAM_SKIN_POINTS = 8 };
+void lam_skin_edge(lam_arena *arena, const double *gram, const lam_skin_vertex *from, const lam_skin_vertex *to,
+                   int family, lam_vec3 points[LAM_SKIN_POINTS]);
+
+#endif
