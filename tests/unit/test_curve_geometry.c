@@ -254,12 +254,41 @@ static void test_closest_on_a_circle(void **state) {
   near(lam_spline_curve_closest(arena, &circle, point_at(&circle, 0.3)).t, 0.3, 1e-14);
 }
 
+/* A C2 curve cut in two joins with C2; elevating and speeding up the second part leaves G2 with alpha = 2. */
+static void test_join_of_parts(void **state) {
+  (void)state;
+  const int degrees[] = {3, 5};
+  for (int k = 0; k < 2; k++) {
+    lam_spline_curve c = next_curve(degrees[k], degrees[k] + 3, k, true), a = lam_spline_curve_part(arena, c, 1, 2.4),
+                     b = lam_spline_curve_part(arena, c, 2.4, 4);
+    lam_join join = lam_join_curves(&a, &b, 1e-9);
+    assert_int_equal(join.parametric, 2);
+    near(join.alpha, 1, 1e-11);
+    b = lam_spline_curve_from_net(
+        arena,
+        lam_bspline_move_domain(arena, lam_bspline_elevate(arena, lam_spline_curve_net(arena, &b, false), 6), 0, 0.8));
+    join = lam_join_curves(&a, &b, 1e-9);
+    assert_int_equal(join.parametric, 0);
+    assert_int_equal(join.geometric, 2);
+    near(join.alpha, 2, 1e-10);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEST(test_helix),           TEST(test_helix_length),      TEST(test_twisted_cubic),
-      TEST(test_rational_circle), TEST(test_degenerate_frames), TEST(test_polynomials),
-      TEST(test_parameters),      TEST(test_cubic_forms),       TEST(test_join_of_a_broken_line),
-      TEST(test_join_of_curves),  TEST(test_closest_points),    TEST(test_closest_on_a_circle),
+      TEST(test_helix),
+      TEST(test_helix_length),
+      TEST(test_twisted_cubic),
+      TEST(test_rational_circle),
+      TEST(test_degenerate_frames),
+      TEST(test_polynomials),
+      TEST(test_parameters),
+      TEST(test_cubic_forms),
+      TEST(test_join_of_a_broken_line),
+      TEST(test_join_of_curves),
+      TEST(test_join_of_parts),
+      TEST(test_closest_points),
+      TEST(test_closest_on_a_circle),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
