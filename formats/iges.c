@@ -1,8 +1,7 @@
 /* IGES 5.3 in millimeters: every spline surface of the model as a rational B-spline surface (entity 128), and its four
  * sides as rational B-spline curves (entity 126). Fixed columns: 72 of data, a letter for the section, 7 for the
  * number. */
-#include "formats/format.h"
-#include "formats/spline.h"
+#include "formats/iges.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -178,7 +177,9 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_iges = {
     .name = "iges",
     .doc = "The smooth surfaces and their sides for CAD programs (IGES 5.3, entities 128 and 126), in millimeters.",
+    .ending = "igs iges",
     .count = count,
     .path = path,
     .write = write,
+    .read_surfaces = lam_iges_read,
 };

@@ -150,6 +150,8 @@ const char *lam_spline_problem(const lam_spline_surface *s) {
       if (!(s->knots[d][i] >= s->knots[d][i - 1])) return "knots that decrease";
     if (!(s->knots[d][s->degree[d]] < s->knots[d][s->count[d]])) return "knots with an empty domain";
   }
+  for (int i = 0; i < s->count[0] * s->count[1]; i++)
+    if (!isfinite(lam_dot(s->points[i], s->points[i]))) return "a point too far away";
   for (int i = 0; s->weights && i < s->count[0] * s->count[1]; i++)
     if (!(s->weights[i] > 0)) return "a weight that is not positive";
   return NULL;

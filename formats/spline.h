@@ -38,7 +38,7 @@ typedef struct lam_spline_list {
 /* Appends a surface; its arrays are kept by pointer. */
 void lam_spline_append(lam_arena *arena, lam_spline_list *list, const lam_spline_surface *surface);
 /* What makes numbers that were read unfit to be a surface, for a message; NULL when they are fit: degrees of 1 or more,
- * more points than the degree, knots that do not decrease, positive weights. */
+ * more points than the degree, knots that do not decrease, finite points, positive weights. */
 const char *lam_spline_problem(const lam_spline_surface *surface);
 
 #endif

@@ -6,6 +6,7 @@
   row(bezier) \
   row(bspline) \
   row(nurbs) \
+  row(file) \
   row(least_area) \
   row(monge) \
   row(revolution) \

@@ -1,5 +1,6 @@
-// Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, and prints what it found in SI
-// units:
+// cad_reader FILE [COPY.step COPY.igs]
+// Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, writes copies of it, and prints what
+// it found in SI units:
 //   faces N / valid 0|1 / area A / boundary L / edges N / free_edges N (of one face only) / loose_edges N (of none) /
 //   loose L box x0 y0 z0 x1 y1 z1 / name NAME point FACE u v x y z   on a grid over each face's parameters
 #include <BRepAdaptor_Curve.hxx>
@@ -11,12 +12,15 @@
 #include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
+#include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
+#include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
 #include <STEPControl_Reader.hxx>
+#include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -92,10 +96,18 @@ static int report(const TopoDS_Shape &shape) {
   return 0;
 }
 
+static bool copy(const TopoDS_Shape &shape, const char *step, const char *iges) {
+  STEPControl_Writer writer;
+  IGESControl_Writer other("MM", 0);
+  return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone && writer.Write(step) == IFSelect_RetDone &&
+         other.AddShape(shape) && other.Write(iges);
+}
+
 int main(int argc, char **argv) {
-  if (argc != 2) return 2;
+  if (argc != 2 && argc != 4) return 2;
   try {
     Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
+    IGESControl_Controller::Init();
     int roots = 0;
     TopoDS_Shape shape = read(argv[1], &roots);
     if (shape.IsNull()) {
@@ -103,6 +115,10 @@ int main(int argc, char **argv) {
       return 1;
     }
     printf("roots %d\n", roots);
+    if (argc == 4 && !copy(shape, argv[2], argv[3])) {
+      fprintf(stderr, "%s: cannot be copied\n", argv[1]);
+      return 1;
+    }
     return report(shape);
   } catch (const Standard_Failure &failure) {
     fprintf(stderr, "%s: %s\n", argv[1], failure.GetMessageString());
