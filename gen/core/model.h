@@ -212,6 +212,23 @@ typedef struct lam_map {
   const lam_vec3 *normals; /* unit normals of the net's vertices */
 } lam_map;
 
+/* ---- prints ---- */
+/* A surface with a place of the picture at every vertex. */
+typedef struct lam_printed {
+  const char *name; /* unique */
+  lam_trimesh mesh;
+  const lam_vec2 *places;           /* 0 to 1 from the picture's lower left corner, per vertex */
+  double max_stretch, mean_stretch; /* ratio of singular values of the map from the picture to the surface, >= 1 */
+} lam_printed;
+
+/* A picture and the surfaces it is printed on. */
+typedef struct lam_print {
+  int width, height;
+  const unsigned char *pixels; /* sRGB, 3 bytes each, rows from the top */
+  int count;
+  const lam_printed *sheets;
+} lam_print;
+
 /* ---- the picture ---- */
 typedef struct lam_picture {
   const char *setting; /* a file of templates/pov without its ending */
@@ -242,6 +259,7 @@ typedef struct lam_model {
   const lam_report *report;
   int map_count; /* of the net; none without a net */
   const lam_map *maps;
+  const lam_print *print; /* what is shown instead of the net; NULL: nothing */
   lam_picture picture;
 } lam_model;
 
