@@ -10,6 +10,7 @@
 #include "net/start.h"
 #include "net/trace.h"
 #include "surf/place.h"
+#include "surf/texture.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,7 +31,7 @@ typedef struct pipeline {
   lam_vec3 *normals;
   lam_siting placed; /* of the surface */
   int stage_count;
-  lam_stage stages[3]; /* surface, net, sheets; parts bring their own */
+  lam_stage stages[4]; /* surface, net, texture, sheets; parts bring their own */
   double since;
 } pipeline;
 
@@ -262,6 +263,30 @@ static void keep_spline(pipeline *p) {
   p->model->surfaces = to;
 }
 
+/* ---- prints ---- */
+
+static bool make_print(pipeline *p) {
+  const lam_texture_keys *keys = &p->design->texture;
+  if (!p->design->has_texture) return true;
+  if (!p->model->surface_count) {
+    lam_error_add(p->errors, (lam_place){.file = p->design->path}, "texture",
+                  "there is no spline surface to print on; expected a surface such as developable, bezier or nurbs");
+    return false;
+  }
+  lam_stage *stage = begin_stage(p, "texture");
+  lam_print *print =
+      lam_print_make(p->arena, p->model->surfaces, (lam_motif)keys->motif, (lam_print_layout)keys->layout, keys->cells);
+  for (int i = 0; i < print->count; i++) {
+    const lam_printed *sheet = &print->sheets[i];
+    if (strchr(sheet->name, '-')) continue; /* the same print, laid flat */
+    lam_stage_measure(p->arena, stage, lam_arena_printf(p->arena, "stretch_%s", sheet->name), "", sheet->max_stretch,
+                      sheet->mean_stretch, sheet->mesh.triangle_count);
+  }
+  p->model->print = print;
+  end_stage(p, stage);
+  return true;
+}
+
 /* ---- color maps ---- */
 
 static bool make_maps(pipeline *p) {
@@ -368,6 +393,7 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   report_surface(&p);
   if (!make_net(&p) || !make_maps(&p)) return false;
   keep_spline(&p);
+  if (!make_print(&p)) return false;
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};

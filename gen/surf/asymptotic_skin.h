@@ -14,9 +14,21 @@ typedef struct lam_skin_vertex {
   double torsion;      /* 1/m, of the curve along u; that along v has the opposite one */
 } lam_skin_vertex;
 
+/* A face to be filled: its vertices at (u,v) = (0,0), (1,0), (1,1), (0,1), counterclockwise, and by how many quarter
+ * turns (0 to 3) the tangents of each vertex are to be turned there so that they point along u and v of the face:
+ * one turn makes the second tangent the first, and the opposite of the first one the second. */
+typedef struct lam_skin_cell {
+  int vertex[4], turn[4];
+} lam_skin_cell;
+
+/* One patch per cell. Cells that share two vertices share the curve between them; any number may meet at a vertex. The
+ * curves have degree 7 and, with the given ends, the least integral of |r'''|^2. Returns how many were made; those that
+ * fold over their boundary are left out: surface.points is NULL then, and errors says why. */
+int lam_asymptotic_skin_fill(lam_arena *arena, const lam_skin_vertex *vertices, int cell_count,
+                             const lam_skin_cell *cells, lam_place place, lam_errors *errors,
+                             lam_asymptotic_patch *patches);
 /* The patches over count[0] x count[1] vertices (v running fastest), (count[0] - 1) x (count[1] - 1) of them in the
- * same order. The curves have degree 7 and, with the given ends, the least integral of |r'''|^2. false, with an error,
- * when some patch folds over its boundary or tangents are parallel. */
+ * same order. false, with an error, when some patch folds over its boundary or tangents are parallel. */
 bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_skin_vertex *vertices, lam_place place,
                               lam_errors *errors, lam_asymptotic_patch *patches);
 

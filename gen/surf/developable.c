@@ -150,6 +150,9 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_developable_measures m = lam_developable_measure(arena, surface, 40, REPORT_GRID);
   lam_flat_mesh mesh = lam_flat_grid(arena, surface, d->cells, LAM_FLAT_GEODESICS);
   lam_flattening flat = lam_flatten(arena, &mesh);
+  double *ratios = LAM_NEW(arena, double, mesh.triangle_count), mean_stretch = 0;
+  double stretch = lam_flat_anisotropy(&mesh, flat.points, ratios);
+  for (int t = 0; t < mesh.triangle_count; t++) mean_stretch += ratios[t] / mesh.triangle_count;
   long places = (REPORT_GRID + 1L) * (REPORT_GRID + 1L);
   stage->converged = d->result.converged && flat.converged;
   stage->reason = d->result.converged && !flat.converged ? "the flattening did not converge" : d->result.reason;
@@ -159,13 +162,12 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_measure(arena, stage, "gauss_curvature_max", "1/m2", m.max, m.mean, places);
   lam_stage_measure(arena, stage, "corner_bound", "1/m2", m.corner_bound, m.corner_bound, 4);
   lam_stage_measure(arena, stage, "flattening_strain", "", flat.max_strain, flat.rms_strain, mesh.edge_count);
-  lam_stage_measure(arena, stage, "flattening_stretch", "", lam_flat_anisotropy(&mesh, flat.points, NULL), NAN,
-                    mesh.triangle_count);
+  lam_stage_measure(arena, stage, "flattening_stretch", "", stretch, mean_stretch, mesh.triangle_count);
   lam_stage_measure(arena, stage, "turned_triangles", "", flat.flips, flat.flips, mesh.triangle_count);
   lam_stage_note(arena, stage, "Coons surface before: |K| %.4g in the mean square, at most %.4g 1/m2", d->coons.l2,
                  d->coons.max);
   lam_stage_note(arena, stage, "stretch of the parameter lines: %.4g; of the flattened surface: %.6g",
-                 lam_flat_anisotropy(&mesh, mesh.start, NULL), lam_flat_anisotropy(&mesh, flat.points, NULL));
+                 lam_flat_anisotropy(&mesh, mesh.start, NULL), stretch);
   if (m.corner_bound > 0)
     lam_stage_note(arena, stage,
                    "no surface over this boundary has max |K| below %.5g 1/m2; this one has %.3g times that",

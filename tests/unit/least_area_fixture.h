@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 #include <jansson.h>
+#include <string.h>
 
 typedef struct area_fixture {
   lam_arena *arena;
@@ -57,7 +58,8 @@ static inline lam_spline_surface area_boundary(const area_fixture *f, const char
   s.count[1] = (int)json_array_size(json_array_get(net, 0));
   for (int d = 0; d < 2; d++) {
     double *t = LAM_NEW(f->arena, double, s.count[d] + 4);
-    for (int i = 0; i < s.count[d] + 4; i++) t[i] = json_number_value(json_array_get(json_array_get(knots, (size_t)d), (size_t)i));
+    for (int i = 0; i < s.count[d] + 4; i++)
+      t[i] = json_number_value(json_array_get(json_array_get(knots, (size_t)d), (size_t)i));
     s.knots[d] = t;
   }
   lam_vec3 *points = LAM_NEW(f->arena, lam_vec3, s.count[0] * s.count[1]);
@@ -74,10 +76,11 @@ static inline lam_spline_surface area_boundary(const area_fixture *f, const char
   return s;
 }
 
-static inline void assert_relative(double value, double expected, double tolerance, const char *name, const char *what) {
+static inline void assert_relative(double value, double expected, double tolerance, const char *name,
+                                   const char *what) {
   if (fabs(value / expected - 1) <= tolerance) return;
-  fail_msg("%s, %s: %.12g, expected %.12g (off by %.2e, allowed %.1e)", name, what, value, expected, value / expected - 1,
-           tolerance);
+  fail_msg("%s, %s: %.12g, expected %.12g (off by %.2e, allowed %.1e)", name, what, value, expected,
+           value / expected - 1, tolerance);
 }
 
 #endif
