@@ -179,12 +179,26 @@ static int add_face(step *s, const lam_spline_surface *b) {
 
 /* ---- the file ---- */
 
+/* The code point that begins at *at, in UTF-8; *at moves behind it. What is not well formed is passed over as it is. */
+static unsigned long next_code_point(const char **at) {
+  const unsigned char *c = (const unsigned char *)*at;
+  int more = c[0] >= 0xf0 ? 3 : c[0] >= 0xe0 ? 2 : c[0] >= 0xc0 ? 1 : 0, i = 1;
+  unsigned long code = more ? c[0] & (0x3fu >> more) : c[0];
+  for (; i <= more && (c[i] & 0xc0) == 0x80; i++) code = code << 6 | (c[i] & 0x3fu);
+  *at += i;
+  return code;
+}
+
+/* A string in ASCII: quotes and backslashes are doubled, other letters written by their code point. */
 static void add_quoted(lam_text *out, const char *string) {
   lam_text_add(out, "'");
-  for (; *string; string++) {
-    if (*string == '\'') lam_text_add(out, "'");
-    if ((unsigned char)*string >= ' ' && (unsigned char)*string < 127 && *string != '\\')
-      lam_text_bytes(out, string, 1);
+  while (*string) {
+    unsigned long code = next_code_point(&string);
+    if (code == '\'' || code == '\\') lam_text_printf(out, "%c", (int)code);
+    if (code >= ' ' && code < 127)
+      lam_text_printf(out, "%c", (int)code);
+    else if (code > 127)
+      lam_text_printf(out, code > 0xffff ? "\\X4\\%08lX\\X0\\" : "\\X2\\%04lX\\X0\\", code);
   }
   lam_text_add(out, "'");
 }

@@ -160,20 +160,47 @@ static bool read_knots(reader *r, const lam_step_value *times, const lam_step_va
   return true;
 }
 
+/* Surfaces whose knots follow from their degree and number of points. */
+typedef enum knot_form { KNOTS_BEZIER, KNOTS_QUASI_UNIFORM, KNOTS_UNIFORM, KNOTS_GIVEN } knot_form;
+static const char *const knot_forms[] = {"BEZIER_SURFACE", "QUASI_UNIFORM_SURFACE", "UNIFORM_SURFACE",
+                                         "B_SPLINE_SURFACE_WITH_KNOTS"};
+enum { knot_form_count = 4 };
+
+/* Knot i: whole numbers; on a Bezier surface each as often as the degree, and at the ends of a quasi-uniform one too,
+ * and once more at both ends. */
+static double knot_of(knot_form form, int degree, int count, int i) {
+  int inside = i - degree, last = form == KNOTS_BEZIER ? (count - 1) / degree : count - degree;
+  if (form == KNOTS_UNIFORM) return inside;
+  if (form == KNOTS_BEZIER) inside = i == 0 ? 0 : (i - 1) / degree;
+  return inside < 0 ? 0 : inside > last ? last : inside;
+}
+
+static bool make_knots(reader *r, knot_form form, int d, lam_spline_surface *s) {
+  int degree = s->degree[d], count = s->count[d];
+  if (count <= degree || (form == KNOTS_BEZIER && (count - 1) % degree != 0))
+    return fail(r, "its number of points does not fit its degree");
+  double *knots = LAM_NEW(r->arena, double, count + degree + 1);
+  for (int i = 0; i < count + degree + 1; i++) knots[i] = knot_of(form, degree, count, i);
+  s->knots[d] = knots;
+  return true;
+}
+
 /* The part of a surface without knots begins at item `shape` of its record, the knots at item `first` of theirs: a
  * simple instance has a name before, and both in one record. */
-static bool read_surface(reader *r, const lam_step_value *with_knots, lam_spline_surface *s) {
+static bool read_surface(reader *r, const lam_step_value *with_knots, knot_form form, lam_spline_surface *s) {
   const lam_step_value *spline = lam_step_record(r->surface, "B_SPLINE_SURFACE");
   const lam_step_value *rational = lam_step_record(r->surface, "RATIONAL_B_SPLINE_SURFACE");
   int shape = spline ? 0 : 1, first = spline ? 0 : 8;
   if (!spline) spline = with_knots;
-  if (!is_enough(spline, shape + 7) || !is_enough(with_knots, first + 5)) return fail(r, "values are missing");
+  if (!is_enough(spline, shape + 7) || (form == KNOTS_GIVEN && !is_enough(with_knots, first + 5)))
+    return fail(r, "values are missing");
   for (int d = 0; d < 2; d++)
     if (!read_degree(spline, shape + d, &s->degree[d])) return fail(r, "its degree is not a whole number from 1 on");
   if (!read_points(r, lam_step_item(spline, shape + 2), s)) return false;
   for (int d = 0; d < 2; d++)
-    if (!read_knots(r, lam_step_typed(with_knots, first + d, LAM_STEP_LIST),
-                    lam_step_typed(with_knots, first + 2 + d, LAM_STEP_LIST), d, s))
+    if (form == KNOTS_GIVEN ? !read_knots(r, lam_step_typed(with_knots, first + d, LAM_STEP_LIST),
+                                          lam_step_typed(with_knots, first + 2 + d, LAM_STEP_LIST), d, s)
+                            : !make_knots(r, form, d, s))
       return false;
   if (rational && !read_weights(r, lam_step_item(rational, 0), s)) return false;
   const char *problem = lam_spline_problem(s);
@@ -186,22 +213,34 @@ static void complain_of_none(reader *r) {
                                        "CYLINDRICAL_SURFACE",
                                        "CONICAL_SURFACE",
                                        "SPHERICAL_SURFACE",
-                                       "BEZIER_SURFACE",
                                        "TOROIDAL_SURFACE",
                                        "SURFACE_OF_REVOLUTION",
-                                       "UNIFORM_SURFACE",
-                                       "OFFSET_SURFACE",
-                                       "QUASI_UNIFORM_SURFACE",
-                                       "SURFACE_OF_LINEAR_EXTRUSION"};
+                                       "SURFACE_OF_LINEAR_EXTRUSION",
+                                       "OFFSET_SURFACE"};
   r->scan.place.line = 0;
   for (int i = 0; i < r->tree.count; i++)
     for (size_t k = 0; k < sizeof others / sizeof *others; k++)
       if (lam_step_record(&r->tree.entities[i], others[k])) {
         lam_error_add(r->scan.errors, r->scan.place, NULL,
-                      "has no B-spline surface with knots, but %s; expected surfaces saved as NURBS", others[k]);
+                      "has no B-spline surface, but %s; expected surfaces saved as NURBS", others[k]);
         return;
       }
   lam_error_add(r->scan.errors, r->scan.place, NULL, "has no surface; expected at least one B-spline surface");
+}
+
+/* Reads the entity when it is a surface; false only with a message. */
+static bool read_entity(reader *r, const lam_step_entity *entity, lam_spline_list *surfaces) {
+  for (int form = 0; form < knot_form_count; form++) {
+    const lam_step_value *record = lam_step_record(entity, knot_forms[form]);
+    lam_spline_surface s = {0};
+    if (!record) continue;
+    if (r->unit == 0 && !find_unit(r)) return false;
+    r->surface = entity;
+    if (!read_surface(r, record, (knot_form)form, &s)) return false;
+    lam_spline_append(r->arena, surfaces, &s);
+    return true;
+  }
+  return true;
 }
 
 bool lam_step_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
@@ -209,15 +248,8 @@ bool lam_step_read(lam_arena *arena, const char *bytes, size_t count, lam_place 
   reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
   *surfaces = (lam_spline_list){0};
   if (!lam_step_tree_read(arena, &r.scan, &r.tree)) return false;
-  for (int i = 0; i < r.tree.count; i++) {
-    const lam_step_value *knots = lam_step_record(&r.tree.entities[i], "B_SPLINE_SURFACE_WITH_KNOTS");
-    lam_spline_surface s = {0};
-    if (!knots) continue;
-    if (r.unit == 0 && !find_unit(&r)) return false;
-    r.surface = &r.tree.entities[i];
-    if (!read_surface(&r, knots, &s)) return false;
-    lam_spline_append(arena, surfaces, &s);
-  }
+  for (int i = 0; i < r.tree.count; i++)
+    if (!read_entity(&r, &r.tree.entities[i], surfaces)) return false;
   if (!surfaces->count) complain_of_none(&r);
   return surfaces->count > 0;
 }

@@ -30,6 +30,8 @@ double lam_bspline_gap(const lam_bspline *f, const lam_bspline *g);
 /* ---- knots (bspline_knots.c) ---- */
 /* Inserts the knot t until it stands `multiplicity` <= degree + 1 times (Boehm's algorithm). f itself when it does. */
 lam_bspline lam_bspline_insert(lam_arena *arena, lam_bspline f, double t, int multiplicity);
+/* The same for `count` different knots, with one allocation. */
+lam_bspline lam_bspline_insert_all(lam_arena *arena, lam_bspline f, int count, const double *t, int multiplicity);
 /* The part over [low, high], low < high, with clamped ends. */
 lam_bspline lam_bspline_part(lam_arena *arena, lam_bspline f, double low, double high);
 /* The same spline with clamped ends. */
@@ -67,14 +69,15 @@ lam_bspline lam_bspline_elevate(lam_arena *arena, lam_bspline f, int target);
  * order `ends` of f at both ends. Inner knots lose one repetition, but not the last. Exact when f is an elevated
  * spline. deviation: a bound on max |f - g|; may be NULL. Preconditions: degree >= 2, 0 <= ends <= degree / 2. */
 lam_bspline lam_bspline_reduce(lam_arena *arena, lam_bspline f, int ends, double *deviation);
-/* Brings all splines to the highest of their degrees and to common knots. Precondition: the same domain. */
+/* Brings all splines to the highest of their degrees and to common knots. Inner knots of different splines that are
+ * nearer than 1e-12 of the domain count as one, that of the first. Precondition: the same domain. */
 void lam_bspline_match(lam_arena *arena, int count, lam_bspline *list);
 /* a f + b g, with degree and knots matched. Preconditions: the same domain and dimension. */
 lam_bspline lam_bspline_combine(lam_arena *arena, double a, lam_bspline f, double b, lam_bspline g);
 
 /* ---- product (bspline_product.c) ---- */
 /* s f for a scalar spline s (dimension 1), of the sum of the degrees (at most LAM_BASIS_MAX_DEGREE) and the smoothness
- * of the rougher factor at every knot. Precondition: the same domain. */
+ * of the rougher factor at every knot. Preconditions: the same domain; knots of the two are equal or well apart. */
 lam_bspline lam_bspline_product(lam_arena *arena, lam_bspline s, lam_bspline f);
 
 #endif

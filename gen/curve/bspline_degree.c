@@ -39,12 +39,26 @@ static int union_of(int count, const lam_bspline *list, double *knots) {
   }
 }
 
+/* Replaces inner knots of list[k] by those of the splines before it that are the same to rounding. */
+static void snap(lam_arena *arena, int k, lam_bspline *list) {
+  int total = list[k].count + list[k].degree + 1;
+  double near = 1e-12 * (list[k].knots[list[k].count] - list[k].knots[list[k].degree]);
+  double *knots = LAM_NEW(arena, double, total);
+  memcpy(knots, list[k].knots, (size_t)total * sizeof *knots);
+  for (int b = k - 1; b >= 0; b--) /* the first one has the last word */
+    for (int i = list[k].degree + 1; i < list[k].count; i++)
+      for (int j = list[b].degree + 1; j < list[b].count; j++)
+        if (fabs(list[b].knots[j] - knots[i]) <= near) knots[i] = list[b].knots[j];
+  list[k].knots = knots;
+}
+
 void lam_bspline_match(lam_arena *arena, int count, lam_bspline *list) {
   int degree = 0, size = 0;
   for (int k = 0; k < count; k++) degree = list[k].degree > degree ? list[k].degree : degree;
   for (int k = 0; k < count; k++) {
     list[k] = lam_bspline_elevate(arena, list[k], degree);
     size += list[k].count;
+    snap(arena, k, list);
   }
   double *knots = LAM_NEW(arena, double, size);
   int total = union_of(count, list, knots);

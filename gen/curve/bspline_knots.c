@@ -4,31 +4,49 @@
 #include <math.h>
 #include <string.h>
 
+/* A spline whose arrays have room for further knots. */
+typedef struct lam_growing {
+  int degree, count, dimension;
+  double *knots, *values;
+} lam_growing;
+
 /* One more knot t, with k the last index of knots[k] <= t and t a knot s times already:
  *   Q_i = P_i                        for i <= k - p,
  *   Q_i = a_i P_i + (1 - a_i) P_i-1  for k - p < i <= k - s,  a_i = (t - t_i) / (t_i+p - t_i),
- *   Q_i = P_i-1                      for i > k - s. */
-static lam_bspline insert_once(lam_arena *arena, lam_bspline f, double t) {
-  int p = f.degree, n = f.dimension, total = f.count + p + 1, k = total - 1;
-  while (k > 0 && f.knots[k] > t) k--;
-  int s = lam_bspline_multiplicity(&f, t);
-  double *knots = LAM_NEW(arena, double, total + 1), *values = LAM_NEW(arena, double, (f.count + 1) * n);
-  memcpy(knots, f.knots, (size_t)(k + 1) * sizeof *knots);
-  knots[k + 1] = t;
-  memcpy(knots + k + 2, f.knots + k + 1, (size_t)(total - k - 1) * sizeof *knots);
-  for (int i = 0; i <= f.count; i++) {
-    double a = i <= k - p ? 1 : i > k - s ? 0 : (t - f.knots[i]) / (f.knots[i + p] - f.knots[i]);
-    for (int d = 0; d < n; d++) {
-      double here = a > 0 ? a * f.values[i * n + d] : 0, before = a < 1 ? (1 - a) * f.values[(i - 1) * n + d] : 0;
-      values[i * n + d] = here + before;
-    }
+ *   Q_i = P_i-1                      for i > k - s.
+ * In place from the last to the first, as Q_i needs nothing behind P_i. */
+static void insert_once(lam_growing *f, double t) {
+  int p = f->degree, n = f->dimension, total = f->count + p + 1, k = total - 1, s = 0;
+  while (k > 0 && f->knots[k] > t) k--;
+  while (s <= k && f->knots[k - s] == t) s++;
+  memmove(f->values + (k - s + 1) * n, f->values + (k - s) * n, (size_t)((f->count - k + s) * n) * sizeof *f->values);
+  for (int i = k - s; i > k - p; i--) {
+    double a = (t - f->knots[i]) / (f->knots[i + p] - f->knots[i]);
+    for (int d = 0; d < n; d++) f->values[i * n + d] = a * f->values[i * n + d] + (1 - a) * f->values[(i - 1) * n + d];
   }
-  return (lam_bspline){p, f.count + 1, n, knots, values};
+  memmove(f->knots + k + 2, f->knots + k + 1, (size_t)(total - k - 1) * sizeof *f->knots);
+  f->knots[k + 1] = t;
+  f->count++;
+}
+
+lam_bspline lam_bspline_insert_all(lam_arena *arena, lam_bspline f, int count, const double *t, int multiplicity) {
+  int more = 0, total = f.count + f.degree + 1;
+  for (int i = 0; i < count; i++) {
+    int missing = multiplicity - lam_bspline_multiplicity(&f, t[i]);
+    more += missing > 0 ? missing : 0;
+  }
+  if (more == 0) return f;
+  lam_growing g = {f.degree, f.count, f.dimension, LAM_NEW(arena, double, total + more),
+                   LAM_NEW(arena, double, (f.count + more) * f.dimension)};
+  memcpy(g.knots, f.knots, (size_t)total * sizeof *g.knots);
+  memcpy(g.values, f.values, (size_t)(f.count * f.dimension) * sizeof *g.values);
+  for (int i = 0; i < count; i++)
+    for (int s = lam_bspline_multiplicity(&f, t[i]); s < multiplicity; s++) insert_once(&g, t[i]);
+  return (lam_bspline){g.degree, g.count, g.dimension, g.knots, g.values};
 }
 
 lam_bspline lam_bspline_insert(lam_arena *arena, lam_bspline f, double t, int multiplicity) {
-  for (int s = lam_bspline_multiplicity(&f, t); s < multiplicity; s++) f = insert_once(arena, f, t);
-  return f;
+  return lam_bspline_insert_all(arena, f, 1, &t, multiplicity);
 }
 
 lam_bspline lam_bspline_part(lam_arena *arena, lam_bspline f, double low, double high) {
@@ -109,7 +127,7 @@ bool lam_bspline_remove(lam_arena *arena, lam_bspline f, double t, double tolera
   if (deviation) *deviation = INFINITY;
   if (s == 0 || !(t > f.knots[f.degree] && t < f.knots[f.count])) return false;
   while (f.knots[r] > t) r--;
-  lam_bspline less = remove_once(arena, f, r, s), again = insert_once(arena, less, t);
+  lam_bspline less = remove_once(arena, f, r, s), again = lam_bspline_insert(arena, less, t, s);
   double moved = lam_bspline_gap(&f, &again);
   if (deviation) *deviation = moved;
   if (!(moved <= tolerance)) return false;

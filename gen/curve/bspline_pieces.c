@@ -27,7 +27,7 @@ lam_pieces lam_bspline_pieces(lam_arena *arena, lam_bspline f, int extra_count, 
   for (int k = 1; k < count; k++) times[k] = lam_bspline_multiplicity(&f, breaks[k]);
   times[0] = times[count] = p + 1;
   f = lam_bspline_clamp(arena, f);
-  for (int k = 1; k < count; k++) f = lam_bspline_insert(arena, f, breaks[k], p);
+  f = lam_bspline_insert_all(arena, f, count - 1, breaks + 1, p);
   double *values = LAM_NEW(arena, double, count *(p + 1) * n);
   for (int k = 0; k < count; k++) /* degree 0: insertion to multiplicity 0 does nothing, a piece is one value */
     memcpy(values + k * (p + 1) * n, f.values + k * (p > 0 ? p : 1) * n, (size_t)((p + 1) * n) * sizeof *values);

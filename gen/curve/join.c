@@ -1,4 +1,5 @@
 #include "curve/join.h"
+#include "curve/curve.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -38,4 +39,16 @@ lam_join lam_join_test(const lam_vec3 end[3], const lam_vec3 start[3], double si
     join.fails[kind] = n < 3 ? conditions[kind][n] : NULL;
   }
   return join;
+}
+
+lam_join lam_join_curves(const lam_spline_curve *first, const lam_spline_curve *second, double tolerance) {
+  const lam_spline_curve *curves[] = {first, second};
+  lam_vec3 x[2][3];
+  double size = 0;
+  for (int k = 0; k < 2; k++) {
+    const lam_spline_curve *c = curves[k];
+    lam_spline_curve_eval(c, c->knots[k ? c->degree : c->count], 2, x[k]);
+    for (int i = 0; i < c->count; i++) size = fmax(size, lam_distance(c->points[i], x[k][0]));
+  }
+  return lam_join_test(x[0], x[1], size, tolerance);
 }

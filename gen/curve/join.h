@@ -2,7 +2,7 @@
 #ifndef LAM_CURVE_JOIN_H
 #define LAM_CURVE_JOIN_H
 
-#include "core/vec3.h"
+#include "core/model.h"
 
 /* What two curves share where one ends and the next begins. G1: Q' = alpha P' with alpha > 0. G2: also Q'' = alpha^2
  * P'' + beta P', which says that the curvature vectors agree; C2 is alpha = 1, beta = 0. (That the second derivatives
@@ -22,5 +22,7 @@ typedef struct lam_join {
  * tolerance is relative: lengths to `size` (m, of the curves), angles in radians, derivatives to their own size and
  * curvatures to 1/size or the curvature, whichever is larger. */
 lam_join lam_join_test(const lam_vec3 end[3], const lam_vec3 start[3], double size, double tolerance);
+/* The end of the first curve against the start of the second; size is the extent of their control points. */
+lam_join lam_join_curves(const lam_spline_curve *first, const lam_spline_curve *second, double tolerance);
 
 #endif

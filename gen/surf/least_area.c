@@ -3,6 +3,7 @@
 #include "curve/basis.h"
 #include "fab/workshop.h"
 #include "surf/kind.h"
+#include "surf/least_area_paper.h"
 #include "surf/spline_surface.h"
 #include <math.h>
 
@@ -14,7 +15,7 @@ typedef struct curve_keys {
 } curve_keys;
 
 typedef struct least_area_keys {
-  int degree[2], count[2], unit, spans, inner_weights;
+  int degree[2], count[2], unit, method, spans, inner_weights;
   lam_list points, weights, knots[2], curves;
   double mean_curvature, tolerance;
 } least_area_keys;
@@ -23,9 +24,12 @@ typedef struct least_area {
   const lam_nurbs *nurbs;
   lam_least_area_result result;
   double mean_curvature;
+  bool by_paper;
 } least_area;
 
 static const char *const inner_weights[] = {"fixed", "free", NULL};
+static const char *const methods[] = {"newton", "paper", NULL};
+enum { PAPER_HALF = 3, PAPER_STEPS = 100 }; /* Bezier patches of degree 6 */
 
 static lam_vec3 *read_points(lam_arena *arena, const lam_list *list, double unit) {
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, list->count / 3);
@@ -165,26 +169,45 @@ static bool read_net(lam_arena *arena, const least_area_keys *keys, lam_place pl
   return true;
 }
 
+static lam_least_area_result by_newton(lam_arena *arena, const least_area_keys *keys,
+                                       const lam_spline_surface *boundary) {
+  lam_least_area_options options = lam_least_area_defaults();
+  options.tolerance = keys->tolerance;
+  options.mean_curvature = keys->mean_curvature;
+  if (keys->inner_weights == 0) return lam_least_area_solve(arena, boundary, keys->spans, &options);
+  lam_least_area_result result = lam_least_area_solve(arena, boundary, 1, &options);
+  result = lam_least_area_weights(arena, &result.surface, 0.01, 30, &options);
+  return keys->spans > 1 ? lam_least_area_solve(arena, &result.surface, keys->spans, &options) : result;
+}
+
+/* The third result of the paper, or with free weights the nearest surface to its first. */
+static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *keys,
+                                      const lam_spline_surface *boundary) {
+  double size = 0;
+  for (int k = 0; k < boundary->count[0] * boundary->count[1]; k++)
+    size = fmax(size, lam_distance(boundary->points[k], boundary->points[0]));
+  lam_paper_result paper =
+      lam_least_area_paper(arena, boundary, PAPER_HALF, PAPER_HALF, sqrt(keys->tolerance) * size, PAPER_STEPS);
+  lam_least_area_result result = paper.patches;
+  result.surface = keys->inner_weights == 0
+                       ? paper.nurbs
+                       : lam_spline_surface_fit_weights(arena, boundary, &paper.patches.surface, 0.01, 30);
+  return result;
+}
+
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const least_area_keys *keys = params;
   lam_spline_surface boundary;
   if (!(keys->curves.count ? read_curves : read_net)(arena, keys, place, errors, &boundary)) return NULL;
-  least_area *data = LAM_NEW(arena, least_area, 1);
-  lam_least_area_options options = lam_least_area_defaults();
-  options.tolerance = keys->tolerance;
-  options.mean_curvature = data->mean_curvature = keys->mean_curvature;
-  if (keys->inner_weights == 1) {
-    if (keys->mean_curvature != 0) {
-      lam_error_add(errors, place, "inner_weights", "free together with mean_curvature; expected fixed");
-      return NULL;
-    }
-    lam_least_area_result start = lam_least_area_solve(arena, &boundary, 1, &options);
-    start = lam_least_area_weights(arena, &start.surface, 0.01, 30, &options);
-    boundary = start.surface;
-    if (keys->spans <= 1) data->result = start;
+  if (keys->mean_curvature != 0 && (keys->inner_weights == 1 || keys->method == 1)) {
+    lam_error_add(errors, place, "mean_curvature", "%g; expected 0 with free inner weights or method: paper",
+                  keys->mean_curvature);
+    return NULL;
   }
-  if (keys->inner_weights == 0 || keys->spans > 1)
-    data->result = lam_least_area_solve(arena, &boundary, keys->spans, &options);
+  least_area *data = LAM_NEW(arena, least_area, 1);
+  data->mean_curvature = keys->mean_curvature;
+  data->by_paper = keys->method == 1;
+  data->result = (keys->method == 1 ? by_paper : by_newton)(arena, keys, &boundary);
   data->nurbs = lam_nurbs_make(arena, &data->result.surface);
   return data;
 }
@@ -210,7 +233,9 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_measure(arena, stage, "mean_curvature_max", "1/m", largest, rms, places);
   lam_stage_note(arena, stage, "%d x %d control points; area and curvature before the surface is placed",
                  shape->count[0], shape->count[1]);
-  lam_stage_note(arena, stage, "area by the quadrature that was minimized with: off by %.1e of it",
+  lam_stage_note(arena, stage,
+                 s->by_paper ? "area of the patches on approximated borders: %.1e of it away"
+                             : "area by the quadrature that was minimized with: off by %.1e of it",
                  fabs(s->result.area / area - 1));
   if (s->result.saddles)
     lam_stage_note(arena, stage, "%d stationary surfaces of larger area were left", s->result.saddles);
@@ -295,6 +320,14 @@ static const lam_key keys_table[] = {
      .initial = "m",
      .choices = lam_point_units,
      .doc = "Unit of the numbers in points."},
+    {.name = "method",
+     .type = LAM_KEY_CHOICE,
+     AT(method),
+     .count = 1,
+     .initial = "newton",
+     .choices = methods,
+     .doc = "newton: the least area that the spans allow; paper: Bezier patches of degree 6 on approximated borders, "
+            "then the nearest surface on the exact boundary, with separable weights (Wu & Wang); spans is not used."},
     {.name = "spans",
      .type = LAM_KEY_INTEGER,
      AT(spans),
@@ -326,7 +359,9 @@ static const lam_key keys_table[] = {
      .initial = "1e-9",
      .min = 1e-14,
      .max = 0.1,
-     .doc = "Stops where a step saves less than this part of the area."},
+     .doc =
+         "Stops where a step saves less than this part of the area; by the paper's method, where the surface moves by "
+         "less than the root of it."},
     {0}};
 
 const lam_surface_kind lam_surface_least_area = {

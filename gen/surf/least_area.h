@@ -11,15 +11,11 @@
 
 #include "core/arena.h"
 #include "core/model.h"
+#include "surf/spline_edit.h"
 
 enum { LAM_LEAST_AREA_MAX_DEGREE = 12 };
 
-/* ---- refinement: the same surface with more freedom ---- */
-/* Inserts a knot into direction d (0: u, 1: v), strictly inside of the domain and not yet `degree` times a knot there
- * (Boehm's rule in homogeneous coordinates; Wu & Wang, theorem 1). */
-lam_spline_surface lam_spline_surface_insert(lam_arena *arena, const lam_spline_surface *surface, int d, double knot);
-/* Raises the degrees to degree[2] >= those of the surface; inner knots are repeated accordingly. */
-lam_spline_surface lam_spline_surface_elevate(lam_arena *arena, const lam_spline_surface *surface, const int degree[2]);
+/* ---- refinement: the same surface with more freedom (single steps: surf/spline_edit.h) ---- */
 /* Halves knot spans until none is longer than the domain / spans. Spaces for spans 1, 2, 4, 8 ... are nested. */
 lam_spline_surface lam_spline_surface_refine(lam_arena *arena, const lam_spline_surface *surface, int spans);
 /* Repeats every inner knot until the surface consists of rational Bezier patches (Wu & Wang, property 1). */

@@ -24,7 +24,9 @@
   row(ellipsoid) \
   row(torus) \
   row(asymptotic_quad) \
-  row(developable)
+  row(developable) \
+  row(coons) \
+  row(interpolation)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_surface_kind lam_surface_##name;

@@ -57,6 +57,7 @@ class Surface:
         self.table = {}
 
     def values(self, d, t):  # functions and slopes of one direction: (index, value, slope)
+        t = min(max(t, self.domain[d][0]), self.domain[d][1])  # against rounding
         if (d, t) not in self.table:
             last = t == self.domain[d][1]
             rows = [(i, basis(i, self.p[d], t, self.k[d], last), slope(i, self.p[d], t, self.k[d], last))
@@ -146,6 +147,9 @@ nurbs("cylinder", [2, 1], [9, 2], revolve(circle, [(2, 0, 1), (2, 4, 1)]), knots
 nurbs("unclamped", [3, 3], [6, 5], ([(i, j, .3 * math.sin(i + .5 * j)) for i in range(6) for j in range(5)],
       [1 + .1 * ((i * 7) % 5) for i in range(30)]), list(range(10)), list(range(9)))
 
+for kind in ("asymptotic-quad", "developable"):
+    design(kind, f"{{kind: {kind}, ground: no}}")
+
 # edges, edges of one face only, area, length of the boundary; None: by integration over all four sides. An octant of a
 # sphere has a pole, the sphere two and a seam, the torus two seams, the cylinder one.
 expected = {
@@ -155,6 +159,8 @@ expected = {
     "octant": (3, 3, 4.5 * math.pi, 4.5 * math.pi),
     "cylinder": (3, 2, 16 * math.pi, 8 * math.pi),
     "unclamped": (4, 4, None, None),
+    "asymptotic-quad": (4, 4, None, None),
+    "developable": (4, 4, None, None),
 }
 names = list(expected)
 

@@ -200,11 +200,30 @@ static void test_matching(void **state) {
   }
 }
 
+/* .1, .2 ... .9 and i / 10 of another domain differ by rounding: matching makes one knot of two. */
+static void test_matching_of_equal_knots(void **state) {
+  (void)state;
+  double knots[2][13], values[2][11];
+  lam_bspline list[2];
+  for (int k = 0; k < 2; k++) {
+    for (int i = 0; i < 13; i++) knots[k][i] = fmin(fmax(i - 1, 0), 10) * (k ? 0.7 : 0.1);
+    for (int i = 0; i < 11; i++) values[k][i] = next_in(-1, 1);
+    list[k] = lam_bspline_move_domain(arena, (lam_bspline){1, 11, 1, knots[k], values[k]}, 0, 1);
+  }
+  int different = 0;
+  for (int i = 0; i < 13; i++) different += list[0].knots[i] != list[1].knots[i];
+  assert_true(different > 0);
+  lam_bspline_match(arena, 2, list);
+  assert_int_equal(list[0].count, 11);
+  assert_int_equal(list[1].count, 11);
+  for (int i = 0; i < 11; i++) near(list[1].values[i], values[1][i], 1e-14);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       TEST(test_derivatives), TEST(test_insertion),         TEST(test_removal),  TEST(test_removal_bound),
       TEST(test_elevation),   TEST(test_reduction),         TEST(test_parts),    TEST(test_reduction_is_least_squares),
-      TEST(test_product),     TEST(test_reversal_and_maps), TEST(test_matching),
+      TEST(test_product),     TEST(test_reversal_and_maps), TEST(test_matching), TEST(test_matching_of_equal_knots),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 /* Frames, lengths, parameters, forms of cubics and joins of curves, against known values. */
+#include "curve/closest.h"
 #include "curve/frenet.h"
 #include "curve/hermite.h"
 #include "curve/join.h"
@@ -215,12 +216,79 @@ static void test_join_of_curves(void **state) {
   assert_string_equal(join.name[0], "none");
 }
 
+/* No point of a fine sampling is nearer, and inside the curve the way there is at right angles to it. */
+static void test_closest_points(void **state) {
+  (void)state;
+  for (int k = 0; k < 40; k++) {
+    lam_spline_curve c = next_curve(1 + k % 5, 2 + k % 5 + k % 4, k % 2, k % 3 != 0);
+    lam_vec3 target = lam_scale(next_point(), 1.5);
+    lam_closest found = lam_spline_curve_closest(arena, &c, target);
+    double nearest = INFINITY;
+    for (int i = 0; i <= 3000; i++) nearest = fmin(nearest, lam_distance(point_at(&c, 1 + i / 1000.0), target));
+    assert_true(found.distance <= nearest * (1 + 1e-12) && found.distance >= nearest - 1e-2);
+    near3(point_at(&c, found.t), found.point, 1e-15);
+    near(lam_distance(found.point, target), found.distance, 1e-15);
+    lam_vec3 x[2], left[2];
+    lam_spline_curve_eval(&c, found.t, 1, x);
+    lam_spline_curve_eval(&c, nextafter(found.t, 0), 1, left);
+    bool corner = lam_distance(x[1], left[1]) > 1e-9;
+    if (found.t > 1 && found.t < 4 && !corner) near(lam_dot(lam_unit(lam_sub(target, x[0])), lam_unit(x[1])), 0, 1e-8);
+  }
+}
+
+/* Known nearest points: of the quarter circle (1, 0) to (0, 1), in the direction of the point, at an end beyond it, and
+ * anywhere for the center; on the curve itself. */
+static void test_closest_on_a_circle(void **state) {
+  (void)state;
+  const lam_vec3 points[] = {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const double knots[] = {0, 0, 0, 1, 1, 1}, circle_weights[] = {1, 1, 2};
+  lam_spline_curve circle = {2, 3, knots, points, circle_weights};
+  lam_closest found = lam_spline_curve_closest(arena, &circle, lam_v3(3, 4, 0));
+  near3(found.point, lam_v3(0.6, 0.8, 0), 1e-12);
+  near(found.distance, 4, 1e-14);
+  near(found.t, 0.5, 1e-12);
+  found = lam_spline_curve_closest(arena, &circle, lam_v3(2, -1, 2));
+  near(found.t, 0, 0);
+  near(found.distance, sqrt(6), 1e-15);
+  near(lam_spline_curve_closest(arena, &circle, lam_v3(0, 0, 0)).distance, 1, 1e-15);
+  near(lam_spline_curve_closest(arena, &circle, point_at(&circle, 0.3)).t, 0.3, 1e-14);
+}
+
+/* A C2 curve cut in two joins with C2; elevating and speeding up the second part leaves G2 with alpha = 2. */
+static void test_join_of_parts(void **state) {
+  (void)state;
+  const int degrees[] = {3, 5};
+  for (int k = 0; k < 2; k++) {
+    lam_spline_curve c = next_curve(degrees[k], degrees[k] + 3, k, true), a = lam_spline_curve_part(arena, c, 1, 2.4),
+                     b = lam_spline_curve_part(arena, c, 2.4, 4);
+    lam_join join = lam_join_curves(&a, &b, 1e-9);
+    assert_int_equal(join.parametric, 2);
+    near(join.alpha, 1, 1e-11);
+    b = lam_spline_curve_from_net(
+        arena,
+        lam_bspline_move_domain(arena, lam_bspline_elevate(arena, lam_spline_curve_net(arena, &b, false), 6), 0, 0.8));
+    join = lam_join_curves(&a, &b, 1e-9);
+    assert_int_equal(join.parametric, 0);
+    assert_int_equal(join.geometric, 2);
+    near(join.alpha, 2, 1e-10);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEST(test_helix),           TEST(test_helix_length),      TEST(test_twisted_cubic),
-      TEST(test_rational_circle), TEST(test_degenerate_frames), TEST(test_polynomials),
-      TEST(test_parameters),      TEST(test_cubic_forms),       TEST(test_join_of_a_broken_line),
+      TEST(test_helix),
+      TEST(test_helix_length),
+      TEST(test_twisted_cubic),
+      TEST(test_rational_circle),
+      TEST(test_degenerate_frames),
+      TEST(test_polynomials),
+      TEST(test_parameters),
+      TEST(test_cubic_forms),
+      TEST(test_join_of_a_broken_line),
       TEST(test_join_of_curves),
+      TEST(test_join_of_parts),
+      TEST(test_closest_points),
+      TEST(test_closest_on_a_circle),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

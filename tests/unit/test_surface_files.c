@@ -63,7 +63,7 @@ static lam_spline_surface some_surface(lam_arena *arena, int p, int q, int n, in
 
 static lam_model model_of(const lam_spline_surface *surfaces, int count) {
   return (lam_model){
-      .name = "it-s", .title = "Peter's \\ tent", .version = "0", .surface_count = count, .surfaces = surfaces};
+      .name = "it-s", .title = "Peter's \\ t\u00e9nt", .version = "0", .surface_count = count, .surfaces = surfaces};
 }
 
 static lam_text written(lam_arena *arena, const lam_format *format, const lam_model *model) {
@@ -194,7 +194,7 @@ static void step_is_well_formed(void **state) {
   lam_spline_surface s = some_surface(*state, 3, 3, 7, 6, true, true);
   lam_model model = model_of(&s, 1);
   lam_text text = written(*state, &lam_format_step, &model);
-  assert_non_null(strstr(text.data, "PRODUCT('it-s','Peter''s  tent',"));
+  assert_non_null(strstr(text.data, "PRODUCT('it-s','Peter''s \\\\ t\\X2\\00E9\\X0\\nt',"));
   const char *data = strstr(text.data, "\nDATA;\n");
   assert_non_null(data);
   bool quoted = false;
@@ -233,6 +233,40 @@ static void iges_has_eighty_columns(void **state) {
   assert_int_equal(counts['T'], 1);
 }
 
+static int occurrences(const char *text, const char *word) {
+  int n = 0;
+  for (const char *at = text; (at = strstr(at, word)); at += strlen(word)) n++;
+  return n;
+}
+
+/* A side that is a point has no edge; two sides that are one curve are one edge, passed twice; corners in one place are
+ * one vertex. Ring: a square or a bent line of five points; top: the same ring, or a point. */
+static void sides_become_edges(void **state) {
+  static const lam_vec3 square[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 1e-16, 0}};
+  static const lam_vec3 line[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {2, 0, 0}};
+  static const double knots[] = {0, 0, 1, 2, 3, 4, 4}, up[] = {0, 0, 1, 1};
+  static const struct {
+    const lam_vec3 *ring;
+    bool apex;
+    int edges, passed, vertices;
+  } cases[] = {{line, false, 4, 4, 4}, {line, true, 3, 3, 3}, {square, false, 3, 4, 2}, {square, true, 2, 3, 2}};
+  for (int i = 0; i < 4; i++) {
+    lam_vec3 points[10];
+    for (int k = 0; k < 5; k++) {
+      points[2 * k] = cases[i].ring[k];
+      points[2 * k + 1] = lam_add(lam_scale(cases[i].ring[k], cases[i].apex ? 0 : 1), lam_v3(0, 0, 1));
+    }
+    lam_spline_surface s = {"roof", {1, 1}, {5, 2}, {knots, up}, points, NULL};
+    lam_model model = model_of(&s, 1);
+    const char *step = written(*state, &lam_format_step, &model).data;
+    assert_int_equal(occurrences(step, "=EDGE_CURVE("), cases[i].edges);
+    assert_int_equal(occurrences(step, "=B_SPLINE_CURVE_WITH_KNOTS("), cases[i].edges);
+    assert_int_equal(occurrences(step, "=ORIENTED_EDGE("), cases[i].passed);
+    assert_int_equal(occurrences(step, "=VERTEX_POINT("), cases[i].vertices);
+    assert_int_equal(occurrences(written(*state, &lam_format_iges, &model).data, "\n126,"), cases[i].edges);
+  }
+}
+
 /* The control points in OBJ, with u running fastest, and one statement of each kind. */
 static void obj_lists_u_fastest(void **state) {
   static const double knots_u[] = {0, 0, 0, 1, 1, 1}, knots_v[] = {0, 0, 2, 2}, weights[] = {1, 2, 3, 4, 5, 6};
@@ -255,6 +289,13 @@ static void a_model_without_splines_gives_no_file(void **state) {
 }
 
 /* ---- what other programs write ---- */
+
+/* The text with the first `old` replaced. */
+static char *replaced(lam_arena *arena, const char *text, const char *old, const char *by) {
+  const char *at = strstr(text, old);
+  assert_non_null(at);
+  return lam_arena_printf(arena, "%.*s%s%s", (int)(at - text), text, by, at + strlen(old));
+}
 
 /* A bilinear patch, written as OpenCASCADE and others do: lower-case words, comments, lines broken anywhere, an inch.
  */
@@ -283,6 +324,39 @@ static void step_of_others_is_read(void **state) {
   assert_near(s->points[3].z, 0.00635, 1e-17, "a quarter of an inch");
   assert_near(s->points[1].y, 0.0254, 1e-17, "v runs fastest");
   assert_true(s->knots[1][0] == -1 && s->knots[1][3] == 3 && s->weights == NULL);
+}
+
+/* Knots that are not listed: one of each form along a row of points, of degree 2 and along v of degree 1. The surface
+ * begins at the first point unless its knots are uniform; then it begins in the middle of the first two. */
+static void step_without_knots_is_read(void **state) {
+  static const struct {
+    const char *surface;
+    double knots[8], start;
+  } cases[] = {
+      {"BEZIER_SURFACE('',2,1,%s,.UNSPECIFIED.,.F.,.F.,.F.)", {0, 0, 0, 1, 1, 2, 2, 2}, 0},
+      {"(B_SPLINE_SURFACE(2,1,%s,.UNSPECIFIED.,.F.,.F.,.F.)QUASI_UNIFORM_SURFACE()RATIONAL_B_SPLINE_SURFACE(((1.,1.),"
+       "(2.,2.),(1.,1.),(1.,1.),(1.,1.))))",
+       {0, 0, 0, 1, 2, 3, 3, 3},
+       0},
+      {"UNIFORM_SURFACE('',2,1,%s,.UNSPECIFIED.,.F.,.F.,.F.)", {-2, -1, 0, 1, 2, 3, 4, 5}, 0.0127},
+  };
+  for (int i = 0; i < 3; i++) {
+    lam_text surface = {.arena = *state}, text = {.arena = *state};
+    lam_text_add(&surface,
+                 replaced(*state, cases[i].surface, "%s", "((#10,#11),(#12,#13),(#10,#11),(#12,#13),(#10,#11))"));
+    const char *from = strstr(step_inch, "B_SPLINE_SURFACE_WITH_KNOTS"), *to = strstr(from, ";\n");
+    lam_text_bytes(&text, step_inch, (size_t)(from - step_inch));
+    lam_text_add(&text, surface.data);
+    lam_text_add(&text, to);
+    const lam_spline_surface *s = &read_back(*state, &lam_format_step, text).items[0];
+    int knots = s->count[0] + s->degree[0] + 1;
+    assert_int_equal(knots, 8);
+    for (int k = 0; k < knots; k++) assert_true(s->knots[0][k] == cases[i].knots[k]);
+    assert_int_equal(s->weights != NULL, i == 1);
+    lam_jet jet;
+    lam_nurbs_eval(lam_nurbs_make(*state, s), s->knots[0][2], s->knots[1][1], &jet);
+    assert_near(jet.x.x, cases[i].start, 1e-16, "start");
+  }
 }
 
 /* A line of an IGES file, filled up to its section and number. */
@@ -322,13 +396,6 @@ static void iges_of_others_is_read(void **state) {
 
 /* ---- bad files ---- */
 
-/* The text with the first `old` replaced. */
-static char *replaced(lam_arena *arena, const char *text, const char *old, const char *by) {
-  const char *at = strstr(text, old);
-  assert_non_null(at);
-  return lam_arena_printf(arena, "%.*s%s%s", (int)(at - text), text, by, at + strlen(old));
-}
-
 typedef struct bad_case {
   const char *old, *by, *message;
 } bad_case;
@@ -367,7 +434,7 @@ static void bad_step_is_refused_with_a_reason(void **state) {
       {".METRE.", ".GRAM.", "12: unit #31 is no known unit of length"},
       {"GLOBAL_UNIT", "LOCAL_UNIT", "0: names no unit of length"},
       {"B_SPLINE_SURFACE_WITH_KNOTS", "PLANE",
-       "0: has no B-spline surface with knots, but PLANE; expected surfaces saved as NURBS"},
+       "0: has no B-spline surface, but PLANE; expected surfaces saved as NURBS"},
       {"B_SPLINE_SURFACE_WITH_KNOTS", "CURVE", "0: has no surface; expected at least one B-spline surface"},
   };
   CHECK_REFUSED(&lam_format_step, step_inch, cases);
@@ -487,9 +554,11 @@ int main(void) {
       TEST(locales_do_not_matter),
       TEST(step_is_well_formed),
       TEST(iges_has_eighty_columns),
+      TEST(sides_become_edges),
       TEST(obj_lists_u_fastest),
       TEST(a_model_without_splines_gives_no_file),
       TEST(step_of_others_is_read),
+      TEST(step_without_knots_is_read),
       TEST(iges_of_others_is_read),
       TEST(bad_step_is_refused_with_a_reason),
       TEST(bad_iges_is_refused_with_a_reason),
