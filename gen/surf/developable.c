@@ -119,7 +119,7 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
   lam_spline_surface surface = lam_coons_surface(arena, &b);
   data->cells = keys->cells;
   data->coons = lam_developable_measure(arena, &surface, 40, REPORT_GRID);
-  if (!isfinite(data->coons.max)) {
+  if (!(data->coons.least_ratio > 1e-6)) {
     lam_error_add(errors, place, curve_names[0],
                   "the Coons surface over these curves has a place without a tangent plane; expected four sides that "
                   "do not touch each other along the way");

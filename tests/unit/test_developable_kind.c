@@ -1,0 +1,82 @@
+/* The surface kind `developable`: what its keys mean, what it reports, what it refuses. */
+#include "surface_fixture.h"
+
+static const double anywhere[2] = {0, 1};
+
+/* Straight and quadratic sides given with fewer points are the same surface as when given as cubics. */
+static void degrees_are_raised(void **state) {
+  lam_fixture *f = *state;
+  lam_surface low = made(f, "developable",
+                         "v0: [0, 0, 0, 3, 0, 0]\nv1: [0, 3, 0, 1, 3.3, 0.9, 2, 3, 0.9, 3, 3, 0]\n"
+                         "u0: [0, 0, 0, 0, 3, 0]\nu1: [3, 0, 0, 3.3, 1.5, 0.6, 3, 3, 0]");
+  lam_surface high = made(f, "developable",
+                          "v0: [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0]\nv1: [0, 3, 0, 1, 3.3, 0.9, 2, 3, 0.9, 3, 3, 0]\n"
+                          "u0: [0, 0, 0, 0, 1.5, 0, 0, 3, 0]\nu1: [3, 0, 0, 3.3, 1.5, 0.6, 3, 3, 0]");
+  for (int i = 0; i < POINTS; i++) {
+    lam_jet a, b;
+    double u = next_in(f, anywhere), v = next_in(f, anywhere);
+    lam_surface_eval(&low, u, v, &a);
+    lam_surface_eval(&high, u, v, &b);
+    assert_true(lam_distance(a.x, b.x) < 1e-9);
+  }
+}
+
+/* Sides of two cubic pieces: the boundary is kept, and inserting freedom does not make the minimum larger: the default
+ * boundary with its middle knot inserted (points by Boehm's algorithm, u = 1/2) has ||K|| below .0172076. */
+static void splines_have_no_more_curvature_than_their_single_patch(void **state) {
+  lam_fixture *f = *state;
+  lam_surface s = made(f, "developable",
+                       "degree: [3, 0]\nknots_u: [0, 0, 0, 0, 0.5, 1, 1, 1, 1]\n"
+                       "v0: [0, 0, 0, 0.5, -0.1, 0.275, 1.5, -0.05, 0.65, 2.5, 0.05, 0.525, 3, 0, 0.3]\n"
+                       "v1: [0, 3, 0.25, 0.5, 3.075, 0.6, 1.5, 3.025, 0.875, 2.5, 2.95, 0.425, 3, 3, 0.05]");
+  lam_stage stage = {0};
+  s.kind->report(f->arena, s.data, &stage);
+  assert_true(stage.converged);
+  assert_string_equal(stage.measures[0].name, "gauss_curvature_l2");
+  if (!(stage.measures[0].max < 0.0172075570)) fail_msg("||K|| is %.10g", stage.measures[0].max);
+  for (int i = 0; i < 3; i++) assert_string_equal(stage.measures[i].unit, "1/m2");
+  lam_jet jet;
+  lam_surface_eval(&s, 0.5, 0, &jet); /* de Casteljau on v0 of the single patch: (0 + 3 (1 + 2) + 3) / 8 */
+  assert_true(lam_distance(jet.x, lam_v3(1.5, (-0.6 + 0.3) / 8, (3 * 0.55 + 3 * 0.75 + 0.3) / 8)) < 1e-12);
+}
+
+/* In centimeters the sides are a hundredth as long, and K ten thousand times as large. */
+static void units_are_lengths(void **state) {
+  lam_fixture *f = *state;
+  lam_surface meters = made(f, "developable", ""), centimeters = made(f, "developable", "unit: cm");
+  lam_stage a = {0}, b = {0};
+  meters.kind->report(f->arena, meters.data, &a);
+  centimeters.kind->report(f->arena, centimeters.data, &b);
+  for (int i = 0; i < 3; i++) assert_true(fabs(b.measures[i].max / a.measures[i].max / 1e4 - 1) < 1e-6);
+  for (int i = 3; i < 5; i++) assert_true(fabs(b.measures[i].max / a.measures[i].max - 1) < 1e-6);
+}
+
+static void refused(lam_fixture *f, const char *text, const char *key, const char *part) {
+  int before = f->errors.count;
+  assert_null(make(f, "developable", text).kind);
+  assert_true(f->errors.count > before);
+  const lam_error *e = f->errors.last;
+  if (!e->key || strcmp(e->key, key) != 0 || !strstr(e->text, part))
+    fail_msg("%s: %s; expected %s: ... %s ...", e->key, e->text, key, part);
+}
+
+static void wrong_boundaries_are_refused(void **state) {
+  lam_fixture *f = *state;
+  refused(f, "v0: [0, 0, 0, 1, 2]", "v0", "5 numbers given");
+  refused(f, "v0: [0, 0, 0.1,  1, -0.2, 0.55,  2, 0.1, 0.75,  3, 0, 0.3]", "u0", "from the start of v0");
+  refused(f, "degree: [3, 0]\nv0: [0, 0, 0,  1, -0.2, 0.55,  3, 0, 0.3]", "v1", "expected 3, as many as v0 has");
+  refused(f, "degree: [4, 0]", "degree", "degree 4 given");
+  refused(f, "knots_u: [0, 0, 0, 0, 1, 1, 1, 1]", "knots_u", "without a degree");
+  refused(f, "degree: [3, 0]\nknots_u: [0, 0, 0, 0.1, 1, 1, 1, 1]", "knots_u", "equal ones");
+  refused(f, "v0: [0, 0, 0, 3, 0, 0]\nv1: [0, 0, 0, 3, 0, 0]\nu0: [0, 0, 0, 0, 0, 0]\nu1: [3, 0, 0, 3, 0, 0]", "v0",
+          "without a tangent plane");
+}
+
+#define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
+
+int main(void) {
+  const struct CMUnitTest tests[] = {TEST(degrees_are_raised),
+                                     TEST(splines_have_no_more_curvature_than_their_single_patch),
+                                     TEST(units_are_lengths), TEST(wrong_boundaries_are_refused)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
