@@ -168,6 +168,7 @@ static void make(lam_workshop *shop, const void *params, lam_place place) {
   double unsound = (double)(rings.unsound + balls.unsound);
   lam_stage_measure(shop->arena, stage, "unsound_parts", "", unsound, unsound, rings.kinds + balls.kinds);
   stage->converged = unsound == 0;
+  if (!stage->converged) stage->reason = "solids that are not sound";
 }
 
 #define LENGTH(key, field, text, least, most, sentence)                                                                \

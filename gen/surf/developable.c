@@ -24,7 +24,7 @@ typedef struct developable_data {
   int cells;
 } developable_data;
 
-static const char *const curve_names[4] = {"v0", "u0", "v1", "u1"}; /* in the order of lam_boundary.curve */
+static const char *const curve_names[4] = {"v0", "u0", "v1", "u1"}; /* in the order of lam_four_sides.curve */
 static const char *const methods[] = {"newton", "trust-region", "quasi-newton", NULL};
 
 /* ---- the boundary ---- */
@@ -54,7 +54,7 @@ static bool check_points(const developable_keys *keys, lam_place place, lam_erro
 
 /* Degree, number of points and knots in direction d. */
 static void set_direction(lam_arena *arena, const developable_keys *keys, int d, lam_place place, lam_errors *errors,
-                          lam_boundary *b) {
+                          lam_four_sides *b) {
   int first = keys->curve[d].count / 3, second = keys->curve[d + 2].count / 3;
   const lam_list *knots = &keys->knots[d];
   const char *knot_name = d ? "knots_v" : "knots_u";
@@ -84,7 +84,7 @@ static void set_direction(lam_arena *arena, const developable_keys *keys, int d,
 }
 
 /* The curves must meet, to a millionth of the boundary's size. */
-static void check_corners(const lam_boundary *b, lam_place place, lam_errors *errors) {
+static void check_corners(const lam_four_sides *b, lam_place place, lam_errors *errors) {
   static const int ends[4][4] = {{0, 0, 1, 0}, {0, 1, 3, 0}, {2, 0, 1, 1}, {2, 1, 3, 1}}; /* curve, end, curve, end */
   double size = 0;
   for (int i = 0; i < 4; i++)
@@ -105,7 +105,7 @@ static void check_corners(const lam_boundary *b, lam_place place, lam_errors *er
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const developable_keys *keys = params;
   int before = errors->count;
-  lam_boundary b = {0};
+  lam_four_sides b = {0};
   if (!check_points(keys, place, errors)) return NULL;
   for (int d = 0; d < 2; d++) set_direction(arena, keys, d, place, errors, &b);
   if (errors->count > before) return NULL;

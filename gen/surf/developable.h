@@ -10,15 +10,15 @@
 
 /* Four curves that meet at the corners: r1 (v = 0) and r3 (v = 1) along u, r2 (u = 0) and r4 (u = 1) along v. Opposite
  * curves share degree and knots (clamped). */
-typedef struct lam_boundary {
+typedef struct lam_four_sides {
   int degree[2], count[2];
   const double *knots[2];   /* count + degree + 1 each */
   const lam_vec3 *curve[4]; /* r1, r2, r3, r4: count[0], count[1], count[0], count[1] control points */
-} lam_boundary;
+} lam_four_sides;
 
 /* The Coons surface of a boundary, exactly: linear functions are splines whose coefficients are the knot averages.
  * Knots are kept by pointer, points owned by the arena. */
-lam_spline_surface lam_coons_surface(lam_arena *arena, const lam_boundary *boundary);
+lam_spline_surface lam_coons_surface(lam_arena *arena, const lam_four_sides *boundary);
 
 typedef enum lam_developable_method {
   LAM_DEVELOPABLE_NEWTON,       /* Levenberg-Marquardt, then Newton's method on the p-th power of the norm */

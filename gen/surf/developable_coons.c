@@ -11,7 +11,7 @@ static const double *linear(lam_arena *arena, int degree, int count, const doubl
   return average;
 }
 
-lam_spline_surface lam_coons_surface(lam_arena *arena, const lam_boundary *b) {
+lam_spline_surface lam_coons_surface(lam_arena *arena, const lam_four_sides *b) {
   lam_spline_surface s = {
       .degree = {b->degree[0], b->degree[1]}, .count = {b->count[0], b->count[1]}, .knots = {b->knots[0], b->knots[1]}};
   const double *u = linear(arena, s.degree[0], s.count[0], s.knots[0]);

@@ -2,8 +2,6 @@
  * costs nothing, so A'' alone is close to singular; lambda has a floor. */
 #include "surf/least_area_parts.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 static double slope_along(const lam_area_form *form, const lam_vec3 *step) {
   double sum = 0;
@@ -49,9 +47,8 @@ static bool descend(lam_arena *arena, newton *n) {
     lam_area_move(n->form, n->points, 1, n->step, n->points);
     n->fall = before - value;
     n->value = value;
-    if (getenv("TR")) fprintf(stderr, "   %.10f fall %.2e slope %.2e lambda %.1e\n", value, n->fall, slope, n->lambda);
-    /* slope + half of it is what the model promises of a full Newton step */
-    if (n->fall > -0.25 * slope) n->lambda = fmax(n->floor, n->lambda / 4);
+    /* a full Newton step promises half of -slope */
+    if (n->fall > -0.25 * slope) n->lambda = fmax(n->floor, n->lambda / 10);
     return true;
   }
   n->value = before;

@@ -65,9 +65,9 @@ static inline const lam_vec3 *dev_curve(lam_arena *arena, const json_t *points, 
   return x;
 }
 
-static inline lam_boundary dev_boundary(lam_arena *arena, const json_t *c) {
+static inline lam_four_sides dev_boundary(lam_arena *arena, const json_t *c) {
   static const char *const names[4] = {"r1", "r2", "r3", "r4"};
-  lam_boundary b = {0};
+  lam_four_sides b = {0};
   for (int i = 0; i < 4; i++) b.curve[i] = dev_curve(arena, json_object_get(c, names[i]), &b.count[i % 2]);
   for (int d = 0; d < 2; d++) {
     double *knots = LAM_NEW(arena, double, 2 * b.count[d]);
@@ -80,7 +80,7 @@ static inline lam_boundary dev_boundary(lam_arena *arena, const json_t *c) {
 
 /* The surface of least ||K||_2 over the boundary of a case. */
 static inline lam_spline_surface dev_solved(lam_arena *arena, const json_t *c) {
-  lam_boundary b = dev_boundary(arena, c);
+  lam_four_sides b = dev_boundary(arena, c);
   lam_spline_surface s = lam_coons_surface(arena, &b);
   lam_developable_result r = lam_developable_solve(arena, &s, (lam_developable_options){.power = 2});
   if (!r.converged) fail_msg("%s: %s", dev_name(c), r.reason);

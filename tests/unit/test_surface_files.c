@@ -233,6 +233,40 @@ static void iges_has_eighty_columns(void **state) {
   assert_int_equal(counts['T'], 1);
 }
 
+static int occurrences(const char *text, const char *word) {
+  int n = 0;
+  for (const char *at = text; (at = strstr(at, word)); at += strlen(word)) n++;
+  return n;
+}
+
+/* A side that is a point has no edge; two sides that are one curve are one edge, passed twice; corners in one place are
+ * one vertex. Ring: a square or a bent line of five points; top: the same ring, or a point. */
+static void sides_become_edges(void **state) {
+  static const lam_vec3 square[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 1e-16, 0}};
+  static const lam_vec3 line[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {2, 0, 0}};
+  static const double knots[] = {0, 0, 1, 2, 3, 4, 4}, up[] = {0, 0, 1, 1};
+  static const struct {
+    const lam_vec3 *ring;
+    bool apex;
+    int edges, passed, vertices;
+  } cases[] = {{line, false, 4, 4, 4}, {line, true, 3, 3, 3}, {square, false, 3, 4, 2}, {square, true, 2, 3, 2}};
+  for (int i = 0; i < 4; i++) {
+    lam_vec3 points[10];
+    for (int k = 0; k < 5; k++) {
+      points[2 * k] = cases[i].ring[k];
+      points[2 * k + 1] = lam_add(lam_scale(cases[i].ring[k], cases[i].apex ? 0 : 1), lam_v3(0, 0, 1));
+    }
+    lam_spline_surface s = {"roof", {1, 1}, {5, 2}, {knots, up}, points, NULL};
+    lam_model model = model_of(&s, 1);
+    const char *step = written(*state, &lam_format_step, &model).data;
+    assert_int_equal(occurrences(step, "=EDGE_CURVE("), cases[i].edges);
+    assert_int_equal(occurrences(step, "=B_SPLINE_CURVE_WITH_KNOTS("), cases[i].edges);
+    assert_int_equal(occurrences(step, "=ORIENTED_EDGE("), cases[i].passed);
+    assert_int_equal(occurrences(step, "=VERTEX_POINT("), cases[i].vertices);
+    assert_int_equal(occurrences(written(*state, &lam_format_iges, &model).data, "\n126,"), cases[i].edges);
+  }
+}
+
 /* The control points in OBJ, with u running fastest, and one statement of each kind. */
 static void obj_lists_u_fastest(void **state) {
   static const double knots_u[] = {0, 0, 0, 1, 1, 1}, knots_v[] = {0, 0, 2, 2}, weights[] = {1, 2, 3, 4, 5, 6};
@@ -520,6 +554,7 @@ int main(void) {
       TEST(locales_do_not_matter),
       TEST(step_is_well_formed),
       TEST(iges_has_eighty_columns),
+      TEST(sides_become_edges),
       TEST(obj_lists_u_fastest),
       TEST(a_model_without_splines_gives_no_file),
       TEST(step_of_others_is_read),
