@@ -1,6 +1,7 @@
 #include "core/dense.h"
+#include "curve/basis.h"
 #include "curve/fairness.h"
-#include "surf/thin_plate.h"
+#include "curve/gram.h"
 #include <string.h>
 
 enum { SAMPLES = 32, HALVINGS = 50 };
@@ -79,7 +80,7 @@ lam_spline_curve lam_fair_by_energy(lam_arena *arena, lam_spline_curve curve, in
 
 /* The jump of the highest derivative at a knot. */
 static double jump_at(const lam_spline_curve *c, double t) {
-  lam_vec3 after[25], before[25];
+  lam_vec3 after[LAM_BASIS_MAX_VALUES], before[LAM_BASIS_MAX_VALUES];
   lam_spline_curve_eval(c, t, c->degree, after);
   lam_spline_curve_eval(c, nextafter(t, -INFINITY), c->degree, before);
   return lam_distance(after[c->degree], before[c->degree]);
@@ -101,40 +102,50 @@ static lam_spline_curve reinsert(lam_arena *arena, const lam_spline_curve *c, do
   return (lam_spline_curve){c->degree, c->count, c->knots, points, NULL};
 }
 
+static bool is_single(const lam_spline_curve *c, int i) {
+  return c->knots[i] > c->knots[i - 1] && c->knots[i] < c->knots[i + 1];
+}
+
 static double sum_of_jumps(const lam_spline_curve *c) {
   double sum = 0;
   for (int i = c->degree + 1; i < c->count; i++)
-    if (c->knots[i] > c->knots[i - 1] && c->knots[i] < c->knots[i + 1]) sum += jump_at(c, c->knots[i]);
+    if (is_single(c, i)) sum += jump_at(c, c->knots[i]);
   return sum;
+}
+
+/* The single inner knot with the largest jump among those not tried yet; -1: none. */
+static int worst_knot(const lam_spline_curve *c, const bool *tried) {
+  int worst = -1;
+  double most = 0;
+  for (int i = c->degree + 1; i < c->count; i++) {
+    double jump = is_single(c, i) && !tried[i] ? jump_at(c, c->knots[i]) : 0;
+    if (jump > most) {
+      most = jump;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+/* One knot, the worst that helps; false: none does. */
+static bool fair_one(lam_arena *arena, lam_spline_curve *fair, const lam_vec3 *original, double tolerance) {
+  bool *tried = LAM_NEW(arena, bool, fair->count);
+  double before = sum_of_jumps(fair);
+  for (int i = worst_knot(fair, tried); i >= 0; i = worst_knot(fair, tried)) {
+    tried[i] = true;
+    lam_spline_curve next = reinsert(arena, fair, fair->knots[i], original, tolerance);
+    if (!(sum_of_jumps(&next) < before * (1 - 1e-9))) continue;
+    *fair = next;
+    return true;
+  }
+  return false;
 }
 
 lam_spline_curve lam_fair_by_knots(lam_arena *arena, lam_spline_curve curve, int steps, double tolerance,
                                    lam_fairing *report) {
   lam_spline_curve fair = curve;
-  for (int step = 0; step < steps; step++) {
-    double best = sum_of_jumps(&fair), most = 0, where = 0;
-    bool *tried = LAM_NEW(arena, bool, curve.count);
-    bool better = false;
-    for (int attempt = curve.degree + 1; attempt < curve.count && !better; attempt++) {
-      int knot = -1;
-      most = 0;
-      for (int i = curve.degree + 1; i < curve.count; i++) {
-        bool single = curve.knots[i] > curve.knots[i - 1] && curve.knots[i] < curve.knots[i + 1];
-        double jump = single && !tried[i] ? jump_at(&fair, curve.knots[i]) : 0;
-        if (jump > most) {
-          most = jump;
-          where = curve.knots[i];
-          knot = i;
-        }
-      }
-      if (knot < 0) break;
-      tried[knot] = true;
-      lam_spline_curve next = reinsert(arena, &fair, where, curve.points, tolerance);
-      better = sum_of_jumps(&next) < best * (1 - 1e-9);
-      if (better) fair = next;
-    }
-    if (!better) break;
-  }
+  for (int step = 0; step < steps; step++)
+    if (!fair_one(arena, &fair, curve.points, tolerance)) break;
   if (report) *report = compare(arena, &curve, &fair);
   return fair;
 }

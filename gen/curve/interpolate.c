@@ -81,14 +81,14 @@ lam_bspline lam_interpolate(lam_arena *arena, lam_ends ends, int degree, int cou
 
 lam_spline_curve lam_interpolate_points(lam_arena *arena, lam_ends ends, int degree, lam_parameters parameters,
                                         int count, const lam_vec3 *points) {
-  double *t = LAM_NEW(arena, double, count), *values = LAM_NEW(arena, double, 3 * count);
+  double *t = LAM_NEW(arena, double, count);
   lam_vec3 *tangents = LAM_NEW(arena, lam_vec3, count);
   lam_parameters_choose(parameters, count, points, t);
   lam_bessel_tangents(count, t, points, tangents);
-  for (int i = 0; i < count; i++) memcpy(values + 3 * i, (double[]){points[i].x, points[i].y, points[i].z}, 24);
   lam_vec3 a = tangents[0], b = tangents[count - 1];
   const double slopes[] = {a.x, a.y, a.z, b.x, b.y, b.z};
-  return lam_spline_curve_from_net(arena, lam_interpolate(arena, ends, degree, count, t, 3, values, slopes));
+  lam_bspline data = lam_spline_curve_net(arena, &(lam_spline_curve){.count = count, .points = points}, false);
+  return lam_spline_curve_from_net(arena, lam_interpolate(arena, ends, degree, count, t, 3, data.values, slopes));
 }
 
 void lam_bessel_tangents(int count, const double *t, const lam_vec3 *points, lam_vec3 *tangents) {

@@ -2,7 +2,6 @@
 #include "curve/banded.h"
 #include "curve/basis.h"
 #include "curve/interpolate.h"
-#include <string.h>
 
 /* Inner knot j at the place j n / (count - degree) of the list of parameters (Piegl & Tiller, eq. 9.68 and 9.69). */
 static double *choose_knots(lam_arena *arena, int degree, int count, int n, const double *t) {
@@ -77,9 +76,9 @@ lam_spline_curve lam_fit_curve_within(lam_arena *arena, int degree, double toler
       if (error) *error = e;
       return curve;
     }
-  double *values = LAM_NEW(arena, double, 3 * n);
-  for (int i = 0; i < n; i++) memcpy(values + 3 * i, (double[]){points[i].x, points[i].y, points[i].z}, 24);
-  curve = lam_spline_curve_from_net(arena, lam_interpolate(arena, LAM_ENDS_AVERAGE, degree, n, t, 3, values, NULL));
+  lam_bspline data = lam_spline_curve_net(arena, &(lam_spline_curve){.count = n, .points = points}, false);
+  data = lam_interpolate(arena, LAM_ENDS_AVERAGE, degree, n, t, 3, data.values, NULL);
+  curve = lam_spline_curve_from_net(arena, data);
   if (error) *error = measure(&curve, n, t, points);
   return curve;
 }

@@ -3,6 +3,7 @@
 #define LAM_SURF_THIN_PLATE_H
 
 #include "core/arena.h"
+#include "curve/gram.h"
 #include <stdbool.h>
 
 /* For nets of count[0] x count[1] numbers (one coordinate of the points; v runs fastest):
@@ -25,8 +26,5 @@ bool lam_thin_plate_make(lam_arena *arena, const int degree[2], const int count[
 void lam_thin_plate_apply(lam_arena *arena, const lam_thin_plate *plate, const double *net, double *product);
 /* Replaces the inner points by those of least energy with the given outer two rings. */
 void lam_thin_plate_fill(lam_arena *arena, const lam_thin_plate *plate, double *net);
-
-/* gram[i * count + j]: integral of the products of the derivatives of this order of functions i and j. */
-double *lam_spline_gram(lam_arena *arena, int degree, int count, const double *knots, int order);
 
 #endif
