@@ -139,7 +139,14 @@ static void report(skin *s, const lam_skin_mesh *mesh) {
     lam_stage_measure(arena, s->stage, "normal_jump", "rad", f.jump, f.jump_sum / f.seams, f.seams);
     lam_stage_measure(arena, s->stage, "gap", "m", f.gap, NAN, f.seams);
   }
-  lam_stage_measure(arena, s->stage, "normal_curvature_ratio", "", f.ratio, NAN, 4L * s->count);
+  lam_stage_measure(arena, s->stage, "edge_normal_curvature", "of sqrt(-K)", f.slant, f.slant_sum / (double)f.sides,
+                    f.sides);
+  if (f.exact < f.sides)
+    lam_stage_note(
+        arena, s->stage,
+        "%ld of %ld sides of patches are asymptotic curves to 1e-8; the others, nearly straight or with ends "
+        "that allow none, are so at their ends",
+        f.exact, f.sides);
   lam_stage_measure(arena, s->stage, "thin_plate_energy", "m^2", f.largest_energy, f.energy / s->count, s->count);
   lam_stage_measure(arena, s->stage, "thin_plate_energy_sum", "m^2", f.energy, f.energy, s->count);
   lam_stage_measure_add(arena, s->stage,
@@ -154,7 +161,10 @@ static void make(lam_workshop *shop, const void *params, lam_place place) {
   skin s = {.shop = shop, .keys = params, .stage = lam_workshop_stage(shop, "skin")};
   if (s.keys->from == FROM_NET ? !fill_net(&s, place) : !take_surfaces(&s, place)) return;
   lam_skin_mesh mesh = lam_skin_mesh_make(shop->arena, s.count, s.surfaces, s.keys->subdivisions);
-  report(&s, &mesh);
+  if (s.keys->from == FROM_NET)
+    report(&s, &mesh);
+  else
+    lam_stage_measure(shop->arena, s.stage, "patch_count", "", s.count, s.count, s.count);
   add_parts(&s, &mesh);
 }
 
@@ -187,17 +197,19 @@ static const lam_key keys[] = {
     {0}};
 
 const lam_part_kind lam_part_skin = {
-    .head = {.name = "skin",
-             .title = "Smooth skin over an asymptotic net",
-             .doc =
-                 "One smooth patch over every cell of an asymptotic net. Its edges are asymptotic curves of the skin "
-                 "through the vertices of the net, so that neighboring patches have the same tangent planes along "
-                 "them and lamellas follow them upright. The patches go into surface.json, STEP and IGES as "
-                 "they are, and into all others as a thin closed solid. Tangents, curvatures and torsion at the "
-                 "vertices are those of the net's lines; with `every` larger than 1 they are the better known, "
-                 "the finer the net. Cells at irregular vertices, where no two lines cross, are left out, and so "
-                 "are those with straight sides, which have no osculating planes.",
-             .source = "thesis 2.2 and chapter 2, sections 3 and 4",
-             .keys = keys,
-             .params_size = sizeof(skin_keys)},
+    .head =
+        {.name = "skin",
+         .title = "Smooth skin over an asymptotic net",
+         .doc =
+             "One smooth patch over every cell of an asymptotic net, through its vertices: neighboring patches share "
+             "their edge and the tangent planes along it, whatever the net looks like. The edges are asymptotic "
+             "curves of the skin, so that lamellas follow them upright; edges that are nearly straight are so at "
+             "their ends and hardly differ between, and the report says how much. The patches go into "
+             "surface.json, STEP and IGES as they are, and into all others as a thin closed solid. Tangents, "
+             "curvatures and torsion at the vertices are those of the net's lines: the finer the net between "
+             "the edges of the skin (`every`), the better they are known. Cells at irregular vertices, where "
+             "no two lines cross, are left out.",
+         .source = "thesis chapter 2",
+         .keys = keys,
+         .params_size = sizeof(skin_keys)},
     .make = make};

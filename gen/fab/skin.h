@@ -50,7 +50,9 @@ int lam_skin_pieces(lam_arena *arena, const lam_skin_mesh *mesh, int *piece);
 typedef struct lam_skin_facts {
   int seams;                  /* common sides of two patches */
   double gap, jump, jump_sum; /* across them: largest distance, largest angle of the normals, sum of the means */
-  double ratio;               /* largest |k_n| / k along sides */
+  long sides, exact;          /* of patches, and those of them along which |k_n| <= 1e-8 sqrt(-K) */
+  double slant, slant_sum; /* largest |k_n| / sqrt(-K) along sides, sum of the means: 0 for asymptotic curves, 1 for the
+                              principal lines of a minimal surface */
   double energy, largest_energy;
   long samples, domes;       /* places inside the patches, and those where the Gaussian curvature is not negative */
   double least_k, largest_k; /* Gaussian curvature there */

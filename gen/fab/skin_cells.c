@@ -109,8 +109,8 @@ static void make_tangents(const lam_net *net, int v, lam_skin_vertex *out) {
   }
 }
 
-/* Along the curves of both families N' = -tau |r'| nu, nu across the curve towards the other tangent and tau that of the
- * u-curve: the mean of both. */
+/* Along the curves of both families N' = -tau |r'| nu, nu across the curve towards the other tangent and tau that of
+ * the u-curve: the mean of both. */
 static double torsion(const lam_net *net, int v, const lam_skin_vertex *vertices, const lam_vec3 *normals) {
   double sum = 0;
   for (int d = 0; d < 2; d++) {

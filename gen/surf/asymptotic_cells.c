@@ -71,7 +71,7 @@ static lam_conormal_edge (*make_edges(lam_arena *arena, const lam_skin_vertex *v
     *own = shared;
     if (!reversed) continue;
     reverse(LAM_SKIN_POINTS, own->points);
-    reverse(LAM_CONORMAL_POINTS, own->conormal);
+    for (int f = 0; f < own->field_count; f++) reverse(LAM_CONORMAL_POINTS, own->field[f]);
   }
   return sides;
 }

@@ -7,14 +7,23 @@
  * At an end nu = N / sqrt|tau| and nu' = a nu + s r' x N sqrt|tau| with any a. Unknown are a at both ends and the
  * middle point c_2: five numbers for the chord (3) and the curvatures at both ends, r''.across = k |r'|^2.
  *
- * The tangents across the edge are T = nu x z with z of degree 5, so that both patches along it share their tangent
- * planes. z + q nu gives the same T: q, of degree 1, is kept at 0. */
+ * An edge that is nearly straight lets its osculating planes turn hardly more than by one rule, and data that are not
+ * quite those of an asymptotic curve give none. It becomes the quintic with these ends, with tangent planes spanned by
+ * r' and a cubic W between the other tangents of its ends; W' there is such that the planes turn by the given torsions,
+ * W'.N = tau |r'| W.across. Such an edge is asymptotic at its ends and nearly so between.
+ *
+ * The tangents across the edge are T = sum z_k F_k with z of degree 5 and the fields F = nu x e_1, e_2, e_3, or r' and
+ * W, so that both patches along it share their tangent planes. With conormals z = q nu gives nothing: q, of degree 1,
+ * is kept at 0. */
 #include "surf/asymptotic_conormal.h"
 #include "core/dense.h"
+#include "curve/collocation.h"
 
 enum { DEGREE = LAM_SKIN_DEGREE, CROSS = LAM_CONORMAL_SURFACE - LAM_CONORMAL_DEGREE, UNKNOWNS = 5, STEPS = 30 };
 
-static const double choose4[] = {1, 4, 6, 4, 1}, choose6[] = {1, 6, 15, 20, 15, 6, 1};
+static const double choose4[] = {1, 4, 6, 4, 1}, choose6[] = {1, 6, 15, 20, 15, 6, 1},
+                    choose7[] = {1, 7, 21, 35, 35, 21, 7, 1};
+static const double strays = 1e-3; /* of its length, from the quintic */
 
 /* The coefficients of r' for conormals c. */
 static void derivative_of(const lam_vec3 *c, double sign, lam_vec3 q[DEGREE]) {
@@ -88,38 +97,71 @@ static bool solve(const ends *e, double scale, double x[UNKNOWNS]) {
   return size <= 1e-12;
 }
 
-lam_conormal_edge lam_conormal_edge_make(const lam_skin_vertex *from, const lam_skin_vertex *to) {
-  lam_conormal_edge edge = {.trouble = NULL};
-  ends e = {.vertex = {from, to}, .sign = from->torsion < 0 ? -1 : 1, .length = lam_distance(from->point, to->point)};
-  if (!(from->torsion * to->torsion > 0)) {
-    edge.trouble = "an edge has torsion of both signs: the net is no saddle there";
-    return edge;
-  }
-  for (int i = 0; i < 2; i++) {
-    const lam_vec3 *t = e.vertex[i]->tangent;
-    e.normal[i] = lam_unit(lam_cross(t[0], t[1]));
-    e.across[i] = lam_unit(lam_cross(e.normal[i], t[0]));
-  }
+/* nu x e_k for the axes e_k, and the curve. */
+static bool make_exact(const ends *e, lam_conormal_edge *edge) {
   lam_vec3 c[5], q[DEGREE];
-  double a = 0.5 * log(from->torsion / to->torsion), x[UNKNOWNS] = {a, a};
-  set_conormals(&e, x, c);
+  double a = 0.5 * log(e->vertex[0]->torsion / e->vertex[1]->torsion), x[UNKNOWNS] = {a, a};
+  set_conormals(e, x, c);
   for (int d = 0; d < 3; d++) { /* as the cubic with the same ends, of degree 4 */
     const double *p = &c[0].x + d;
     x[2 + d] = (4 * (p[3] + p[9]) - p[0] - p[12]) / 6;
   }
-  if (!solve(&e, lam_length(c[0]), x)) {
-    edge.trouble = "no asymptotic curve with these ends was found for an edge";
-    return edge;
-  }
-  set_conormals(&e, x, edge.conormal);
-  derivative_of(edge.conormal, e.sign, q);
-  edge.points[0] = from->point;
-  edge.points[DEGREE] = to->point;
+  if (!solve(e, lam_length(c[0]), x)) return false;
+  set_conormals(e, x, c);
+  derivative_of(c, e->sign, q);
   for (int k = 0; k < 3; k++) {
-    edge.points[k + 1] = lam_along(edge.points[k], 1.0 / DEGREE, q[k]);
-    edge.points[DEGREE - 1 - k] = lam_along(edge.points[DEGREE - k], -1.0 / DEGREE, q[6 - k]);
+    edge->points[k + 1] = lam_along(edge->points[k], 1.0 / DEGREE, q[k]);
+    edge->points[DEGREE - 1 - k] = lam_along(edge->points[DEGREE - k], -1.0 / DEGREE, q[6 - k]);
+    for (int i = 0; i < 5; i++) edge->field[k][i] = lam_cross(c[i], lam_v3(k == 0, k == 1, k == 2));
   }
-  return edge;
+  edge->field_count = 3;
+  return true;
+}
+
+/* r' and W, and the quintic. */
+static void make_near(const ends *e, lam_conormal_edge *edge) {
+  lam_vec3 r[LAM_SKIN_POINTS], w[5], turn = lam_sub(e->vertex[1]->tangent[1], e->vertex[0]->tangent[1]);
+  double speed[2] = {lam_length(e->vertex[0]->tangent[0]), lam_length(e->vertex[1]->tangent[0])};
+  double faster = (speed[1] * speed[1] - speed[0] * speed[0]) / 2; /* r'.r'' */
+  for (int i = 0; i < 2; i++) {
+    const lam_skin_vertex *v = e->vertex[i];
+    lam_vec3 n = e->normal[i], t = v->tangent[0], other = v->tangent[1];
+    lam_vec3 second = lam_scale(e->across[i], v->curvature[0] * speed[i] * speed[i]);
+    second = lam_along(second, faster / (speed[i] * speed[i]), t);
+    int at = i ? 5 : 0, step = i ? -1 : 1;
+    r[at] = v->point;
+    r[at + step] = lam_along(v->point, step / 5.0, t);
+    r[at + 2 * step] = lam_along(lam_sub(lam_scale(r[at + step], 2), r[at]), 1.0 / 20, second);
+    lam_vec3 slope = lam_along(turn, -lam_dot(turn, n), n);
+    slope = lam_along(slope, v->torsion * speed[i] * lam_dot(other, e->across[i]), n);
+    w[i ? 3 : 0] = other;
+    w[i ? 2 : 1] = lam_along(other, step / 3.0, slope);
+  }
+  for (int k = 0; k < 5; k++) edge->field[0][k] = lam_scale(lam_sub(r[k + 1], r[k]), 5);
+  lam_bezier_elevate(5, DEGREE, 3, &r[0].x);
+  lam_bezier_elevate(3, 4, 3, &w[0].x);
+  for (int k = 1; k < DEGREE; k++) edge->points[k] = r[k];
+  for (int k = 0; k < 5; k++) edge->field[1][k] = w[k];
+  edge->field_count = 2;
+}
+
+lam_conormal_edge lam_conormal_edge_make(const lam_skin_vertex *from, const lam_skin_vertex *to) {
+  lam_conormal_edge edge = {.points = {from->point}};
+  ends e = {.vertex = {from, to}, .sign = from->torsion < 0 ? -1 : 1, .length = lam_distance(from->point, to->point)};
+  edge.points[DEGREE] = to->point;
+  for (int i = 0; i < 2; i++) {
+    const lam_vec3 *t = e.vertex[i]->tangent;
+    double area = lam_length(lam_cross(t[0], t[1]));
+    if (!(area > 1e-6 * lam_length(t[0]) * lam_length(t[1]))) edge.trouble = "the lines at a vertex are parallel";
+    e.normal[i] = lam_unit(lam_cross(t[0], t[1]));
+    e.across[i] = lam_unit(lam_cross(e.normal[i], t[0]));
+  }
+  lam_conormal_edge exact = edge;
+  make_near(&e, &edge);
+  if (!(from->torsion * to->torsion > 0) || !make_exact(&e, &exact)) return edge;
+  lam_vec3 off = {0, 0, 0}; /* in the middle; a curve that strays from the calm one winds about it */
+  for (int k = 0; k <= DEGREE; k++) off = lam_along(off, choose7[k] / 128, lam_sub(exact.points[k], edge.points[k]));
+  return lam_length(off) < strays * e.length ? exact : edge;
 }
 
 /* ---- the patch ---- */
@@ -139,18 +181,18 @@ static void bernstein(int degree, double t, double *value, double *slope) {
 
 /* What coefficient k of z adds to T and T' of its curve at t. */
 static void shape_eval(const lam_conormal_edge *edges, int k, double t, lam_vec3 *value, lam_vec3 *slope) {
-  const lam_vec3 *c = edges[k / EACH].conormal;
-  int index = k % EACH / 3, axis = k % 3;
-  double own[2][CROSS + 1], of_nu[2][LAM_CONORMAL_POINTS];
+  const lam_vec3 *c = edges[k / EACH].field[k % 3];
+  int index = k % EACH / 3;
+  double own[2][CROSS + 1], of_field[2][LAM_CONORMAL_POINTS];
   bernstein(CROSS, t, own[0], own[1]);
-  bernstein(LAM_CONORMAL_DEGREE, t, of_nu[0], of_nu[1]);
-  lam_vec3 nu = {0, 0, 0}, dnu = {0, 0, 0}, e = lam_v3(axis == 0, axis == 1, axis == 2);
+  bernstein(LAM_CONORMAL_DEGREE, t, of_field[0], of_field[1]);
+  lam_vec3 field = {0, 0, 0}, change = {0, 0, 0};
   for (int i = 0; i < LAM_CONORMAL_POINTS; i++) {
-    nu = lam_along(nu, of_nu[0][i], c[i]);
-    dnu = lam_along(dnu, of_nu[1][i], c[i]);
+    field = lam_along(field, of_field[0][i], c[i]);
+    change = lam_along(change, of_field[1][i], c[i]);
   }
-  *value = lam_scale(lam_cross(nu, e), own[0][index]);
-  *slope = lam_along(lam_scale(lam_cross(dnu, e), own[0][index]), own[1][index], lam_cross(nu, e));
+  *value = lam_scale(field, own[0][index]);
+  *slope = lam_along(lam_scale(change, own[0][index]), own[1][index], field);
 }
 
 /* T at the ends of every curve, equal T' where curves meet, no part along nu in z: rows z = right. */
@@ -177,34 +219,37 @@ static void list_conditions(const lam_quad_boundary *b, const lam_conormal_edge 
     }
   }
   for (int i = 0; i < 4; i++) {
-    double size = lam_length(edges[i].conormal[0]);
+    if (edges[i].field_count < 3) continue;
+    double size = 0;
+    for (int k = 0; k < 3; k++) size += lam_length(edges[i].field[k][0]);
     for (int q = 0; q < 2; q++)
-      for (int j = 0; j < LAM_CONORMAL_POINTS; j++)
+      for (int j = 0; j < LAM_CONORMAL_POINTS; j++) {
+        const lam_vec3 nu = {edges[i].field[1][j].z, edges[i].field[2][j].x, edges[i].field[0][j].y};
         for (int c = 0; c < 3; c++)
           rows[(36 + 2 * i + q) * COUNT + i * EACH + 3 * (j + q) + c] =
-              (q ? j + 1.0 : CROSS - j) / CROSS * (&edges[i].conormal[j].x)[c] / size;
+              (q ? j + 1.0 : CROSS - j) / CROSS * (&nu.x)[c] / size;
+      }
   }
 }
 
-/* T stays on one side of its curve, or the surface folds over. */
+/* T stays on one side of its curve, or the surface folds over: r' x T keeps near its own direction from place to place.
+ */
 static bool folds(const lam_quad_boundary *b, const lam_conormal_edge *edges, int curve, const double *z) {
   enum { PLACES = 32 };
-  double low = INFINITY, high = -INFINITY;
+  lam_vec3 last = {0, 0, 0};
   for (int g = 0; g <= PLACES; g++) {
-    lam_vec3 jet[4], tangent = {0, 0, 0}, value, slope, nu = {0, 0, 0};
-    double t = (double)g / PLACES, of_nu[2][LAM_CONORMAL_POINTS];
-    bernstein(LAM_CONORMAL_DEGREE, t, of_nu[0], of_nu[1]);
-    for (int i = 0; i < LAM_CONORMAL_POINTS; i++) nu = lam_along(nu, of_nu[0][i], edges[curve].conormal[i]);
+    lam_vec3 jet[4], tangent = {0, 0, 0}, value, slope;
+    double t = (double)g / PLACES;
     for (int k = curve * EACH; k < (curve + 1) * EACH; k++) {
       shape_eval(edges, k, t, &value, &slope);
       tangent = lam_along(tangent, z[k], value);
     }
     lam_quad_curve_eval(&b->curve[curve], t, jet);
-    double side = lam_dot(lam_cross(jet[1], tangent), nu);
-    low = fmin(low, side);
-    high = fmax(high, side);
+    lam_vec3 normal = lam_cross(jet[1], tangent);
+    if (g && !(lam_dot(normal, last) > 0)) return true;
+    last = normal;
   }
-  return low * high <= 0;
+  return false;
 }
 
 bool lam_conormal_patch_make(lam_arena *arena, const lam_conormal_edge edges[4], lam_place place, lam_errors *errors,
@@ -224,13 +269,15 @@ bool lam_conormal_patch_make(lam_arena *arena, const lam_conormal_edge edges[4],
   lam_vec3 *net = lam_quad_rings(arena, &spaces), *part[COUNT];
   lam_quad_net_fill(arena, &plate, net);
   const lam_vec3 *pull = lam_quad_net_gradient(arena, &plate, net);
-  double *h = LAM_NEW(arena, double, COUNT *COUNT), g[COUNT], z[COUNT];
+  double *h = LAM_NEW(arena, double, COUNT *COUNT), g[COUNT] = {0}, z[COUNT];
   for (int k = 0; k < COUNT; k++) {
     const lam_collocation *space = &spaces.space[k / EACH % 2];
     lam_vec3 *values = LAM_NEW(arena, lam_vec3, space->count), slope;
     for (int j = 0; j < space->count; j++) shape_eval(edges, k, space->places[j], &values[j], &slope);
     lam_collocation_solve(arena, space, 3, &values[0].x);
     part[k] = LAM_NEW(arena, lam_vec3, total);
+    h[k * COUNT + k] = 1; /* of a field that is not there */
+    if (k % 3 >= edges[k / EACH].field_count) continue;
     lam_quad_ring_add(&spaces, k / EACH, values, part[k]);
     lam_quad_net_fill(arena, &plate, part[k]);
     const lam_vec3 *gradient = lam_quad_net_gradient(arena, &plate, part[k]);

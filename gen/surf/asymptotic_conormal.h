@@ -1,4 +1,5 @@
-/* Edges of a skin from conormals. For the files surf/asymptotic_*.c only; the mathematics is in asymptotic_conormal.c.
+/* Edges of a skin with the tangent planes along them. For the files surf/asymptotic_*.c only; the mathematics is in
+ * asymptotic_conormal.c.
  */
 #ifndef LAM_SURF_ASYMPTOTIC_CONORMAL_H
 #define LAM_SURF_ASYMPTOTIC_CONORMAL_H
@@ -9,8 +10,9 @@
 enum { LAM_CONORMAL_DEGREE = 4, LAM_CONORMAL_POINTS = 5, LAM_CONORMAL_SURFACE = 9 };
 
 typedef struct lam_conormal_edge {
-  lam_vec3 points[LAM_SKIN_POINTS];       /* of the curve */
-  lam_vec3 conormal[LAM_CONORMAL_POINTS]; /* perpendicular to the tangent planes along it */
+  lam_vec3 points[LAM_SKIN_POINTS]; /* of the curve */
+  int field_count;
+  lam_vec3 field[3][LAM_CONORMAL_POINTS]; /* two or three vectors that span the tangent plane at every place */
   const char *trouble;                    /* NULL: none */
 } lam_conormal_edge;
 
