@@ -1,7 +1,7 @@
 /* The list of parts. To add one: write its file, and add its line here. */
 #include "fab/workshop.h"
 
-#define PARTS(row) row(lamella) row(node_connector) row(panels) row(bars) row(support) row(circles) row(skin)
+#define PARTS(row) row(lamella) row(node_connector) row(panels) row(bars) row(support) row(circles) row(skin) row(frames)
 
 #define DECLARE(name) extern const lam_part_kind lam_part_##name;
 PARTS(DECLARE)

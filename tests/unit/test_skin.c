@@ -1,5 +1,4 @@
-/* Skins over nets: cells of nets with irregular vertices, vertex data, patches, shells; and report values of shipped
- * surfaces. */
+/* Skins over nets: cells of nets with irregular vertices, vertex data, patches, shells; frames along a boundary. */
 #include "fab_fixture.h"
 
 #include "core/mesh.h"
@@ -17,8 +16,7 @@ static skin_keys row_keys(void) { return (skin_keys){.every = 2, .subdivisions =
  * the torsion of the u-lines is sqrt(-K) = 1 / w (Beltrami-Enneper). */
 static lam_vec3 hypar(double u, double v) { return lam_v3(u, v, u * v); }
 
-/* The catenoid in asymptotic parameters: cosh(p) cos(q), cosh(p) sin(q), p with p = u + v, q = u - v (conjugate lines
- * at 45 degrees to the curvature lines); K = -1 / cosh(p)^4. */
+/* The catenoid in asymptotic parameters: cosh(p) cos(q), cosh(p) sin(q), p with p = (u + v) / 2, q = (v - u) / 2. */
 static lam_vec3 catenoid(double u, double v) {
   double p = 0.5 * (u + v), q = 0.5 * (v - u);
   return lam_v3(cosh(p) * cos(q), cosh(p) * sin(q), p);
@@ -59,8 +57,7 @@ static const double *measure_of(const lam_workshop *shop, const char *name) {
 }
 
 /* One closed solid; neighbors meet without gap or crease; K < 0. The volume is area times thickness to the first order
- * (H = 0 of the middle surface, so that it has no second-order term in H): the area of the catenoid between |p|, |q| as
- * sampled, from triangles of the fine net. */
+ * (H = 0): the area of the triangles of the net. */
 static void check_skin(lam_workshop *shop, const skin_keys *keys, int patches) {
   fixture_make(shop, "skin", keys);
   if (shop->errors->count) fail_msg("%s", shop->errors->first->text);
@@ -144,6 +141,36 @@ static void no_cell_is_an_error(void **state) {
   assert_string_equal(shop.errors->first->key, "every");
 }
 
+/* Plates of 0.1 m x 0.1 m x 5 mm with pins of 10 mm x 10 mm x 0.1 m, 5 along each side of a patch over the unit square:
+ * closed, and as far outside as the gap. */
+static void frames_stand_outside(void **state) {
+  struct {
+    int count, material;
+    double size, gap, thickness;
+  } keys = {5, 0, 0.1, 0.03, 0.005};
+  static const double knots[4] = {0, 0, 1, 1};
+  const lam_vec3 points[4] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0.3}}; /* z = 0.3 u v */
+  lam_mesh mesh = fixture_grid(*state, 5, 5, hypar);
+  lam_workshop shop = fixture_workshop(*state, &mesh);
+  lam_workshop_surface(&shop, (lam_spline_surface){"s", {1, 1}, {2, 2}, {knots, knots}, points, NULL});
+  fixture_make(&shop, "frames", &keys);
+  assert_int_equal(shop.part_count, 1);
+  const lam_part *part = &shop.parts[0];
+  lam_solid_facts facts;
+  assert_int_equal(lam_solid_measure(&part->solid, true, &facts), LAM_OK);
+  assert_true(facts.closed && facts.oriented && facts.manifold && facts.self_intersections == 0);
+  assert_true(fabs(facts.volume - (0.1 * 0.1 * 0.005 + 0.01 * 0.01 * 0.1)) < 1e-12);
+  assert_int_equal(part->instance_count, 20);
+  for (int i = 0; i < 20; i++) {
+    const lam_frame *f = &part->instances[i];
+    assert_true(fabs(lam_dot(lam_cross(f->axis[0], f->axis[1]), f->axis[2]) - 1) < 1e-12);
+    lam_vec3 out = lam_along(f->origin, keys.gap, f->axis[1]); /* outside the unit square, seen from above */
+    assert_true(fmax(fmax(-out.x, out.x - 1), fmax(-out.y, out.y - 1)) > 0.9 * keys.gap);
+    double u = f->origin.x, v = f->origin.y; /* normal of z = 0.3 u v */
+    assert_true(lam_angle(f->axis[2], lam_v3(-0.3 * v, -0.3 * u, 1)) < 1e-7);
+  }
+}
+
 int main(void) {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, fixture_setup, fixture_teardown)
   const struct CMUnitTest tests[] = {
@@ -153,6 +180,7 @@ int main(void) {
       TEST(a_hypar_keeps_its_lines),
       TEST(cells_at_an_irregular_vertex_are_left_out),
       TEST(no_cell_is_an_error),
+      TEST(frames_stand_outside),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
