@@ -247,20 +247,18 @@ static void report_surface(pipeline *p) {
   kind->report(p->arena, p->surface.data, stage);
 }
 
-/* The surface for writers, where the net is. */
-static void keep_spline(pipeline *p) {
+/* The surface for parts and writers, where the net is. */
+static void keep_spline(pipeline *p, lam_workshop *workshop) {
   const lam_surface_kind *kind = p->surface.kind;
   const lam_spline_surface *from = kind && kind->spline ? kind->spline(p->surface.data) : NULL;
   if (!from || !p->net) return;
-  lam_spline_surface *to = LAM_NEW(p->arena, lam_spline_surface, 1);
-  *to = *from;
-  int count = to->count[0] * to->count[1];
+  lam_spline_surface to = *from;
+  int count = to.count[0] * to.count[1];
   lam_vec3 *points = LAM_NEW(p->arena, lam_vec3, count);
   for (int i = 0; i < count; i++) points[i] = lam_siting_apply(&p->placed, from->points[i]);
-  to->points = points;
-  to->name = "surface";
-  p->model->surface_count = 1;
-  p->model->surfaces = to;
+  to.points = points;
+  to.name = "surface";
+  lam_workshop_surface(workshop, to);
 }
 
 /* ---- prints ---- */
@@ -392,12 +390,16 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   if (!make_surface(&p)) return false;
   report_surface(&p);
   if (!make_net(&p) || !make_maps(&p)) return false;
-  keep_spline(&p);
-  if (!make_print(&p)) return false;
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
+  keep_spline(&p, workshop);
+  model->surface_count = workshop->surface_count;
+  model->surfaces = workshop->surfaces;
+  if (!make_print(&p)) return false;
   if (!make_parts(&p, workshop)) return false;
+  model->surface_count = workshop->surface_count;
+  model->surfaces = workshop->surfaces;
   model->part_count = workshop->part_count;
   model->parts = workshop->parts;
   model->record_kind_count = workshop->record_kind_count;

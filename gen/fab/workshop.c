@@ -33,6 +33,11 @@ void lam_workshop_record_kind(lam_workshop *w, lam_record_kind kind) {
   w->record_kinds[w->record_kind_count++] = kind;
 }
 
+void lam_workshop_surface(lam_workshop *w, lam_spline_surface surface) {
+  w->surfaces = room(w->arena, w->surfaces, w->surface_count, &w->surface_capacity, sizeof surface);
+  w->surfaces[w->surface_count++] = surface;
+}
+
 int lam_workshop_next_class(const lam_workshop *w) {
   int most = 0;
   for (int i = 0; i < w->part_count; i++)

@@ -28,6 +28,8 @@ typedef struct lam_workshop {
   int stage_count, stage_capacity;
   lam_stage *stages;                           /* one per row that was made, and one for the checks */
   const struct lam_lamella_grid *lamella_grid; /* the last one made, or NULL */
+  int surface_count, surface_capacity;
+  lam_spline_surface *surfaces; /* smooth surfaces, placed: that of the design, then those of skins */
 } lam_workshop;
 
 typedef struct lam_part_kind {
@@ -43,6 +45,7 @@ extern const lam_registry lam_part_kinds;
 lam_part *lam_workshop_part(lam_workshop *workshop, lam_part part);
 void lam_workshop_crossing(lam_workshop *workshop, lam_crossing crossing);
 void lam_workshop_record_kind(lam_workshop *workshop, lam_record_kind kind);
+void lam_workshop_surface(lam_workshop *workshop, lam_spline_surface surface);
 lam_stage *lam_workshop_stage(lam_workshop *workshop, const char *name);
 /* The first number of a congruence class that no part has yet. */
 int lam_workshop_next_class(const lam_workshop *workshop);

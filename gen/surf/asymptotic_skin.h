@@ -22,7 +22,8 @@ typedef struct lam_skin_cell {
 } lam_skin_cell;
 
 /* One patch per cell. Cells that share two vertices share the curve between them; any number may meet at a vertex. The
- * curves have degree 7 and, with the given ends, the least integral of |r'''|^2. Returns how many were made; those that
+ * curves have degree 7 and may be straight or bend to both sides; tangents, curvatures and torsions at their ends are
+ * the given ones, and torsions must not be 0. Returns how many were made; those that
  * fold over their boundary are left out: surface.points is NULL then, and errors says why. */
 int lam_asymptotic_skin_fill(lam_arena *arena, const lam_skin_vertex *vertices, int cell_count,
                              const lam_skin_cell *cells, lam_place place, lam_errors *errors,
