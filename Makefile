@@ -28,7 +28,8 @@ libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -l
 packages_build := gcc g++ libc6-dev libsuitesparse-dev libopenblas-dev libcgal-dev libtinygltf-dev \
                   libpolyclipping-dev libyaml-dev libjansson-dev libpng-dev
 packages_show  := povray povray-includes
-packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm
+packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm \
+                  libocct-data-exchange-dev
 packages_pics  := $(packages_show) netpbm libjpeg-turbo-progs
 
 cli_src := $(wildcard gen/cli/*.c)
@@ -47,7 +48,7 @@ jobs := $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:
-.PHONY: all demo check models renders bench accept layers format install help clean \
+.PHONY: all demo check models renders catalog bench accept layers format install help clean \
         setup-build setup-demo setup-check setup-pics
 
 all: $(out)/lamella $(out)/liblamella.so
@@ -112,6 +113,16 @@ build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
 large := asymptotic-pavilion constant-ratio-vault enneper-model hypar-roof
 renders: setup-pics
 	@$(MAKE) --no-print-directory $(jobs) $(gallery)
+	@$(MAKE) --no-print-directory catalog
+# the page of all pictures, from the titles and sources of the designs
+catalog:
+	@awk -F': *' 'BEGIN { print "# Shipped designs\n\n`lamella new NAME` copies one to start from.\n\n| | | |\n|---|---|---|" } \
+	  FNR == 1 { if (n) cell(); name = FILENAME; sub(/.*\//, "", name); sub(/\.yaml$$/, "", name); title = source = ""; n++ } \
+	  /^title:/ { title = substr($$0, 8) } /^source:/ { source = substr($$0, 9) } \
+	  function cell() { printf "%s ![](%s.jpg) `%s`: %s%s%s", (n - 1) % 3 == 0 ? "|" : " |", name, name, title, source ? ". " : "", source; \
+	    if ((n - 1) % 3 == 2) print " |" } \
+	  END { cell(); if (n % 3) { while (++n % 3) printf " |"; print " |" } }' \
+	  $(sort $(wildcard templates/designs/*.yaml)) >renders/gallery/README.md
 renders/gallery/%.jpg: build/models/%/report.json
 	@echo "  render $*"
 	@mkdir -p $(@D)

@@ -7,11 +7,12 @@
 #include "core/key.h"
 #include "core/model.h"
 #include "core/text.h"
+#include "formats/spline.h"
 
 typedef struct lam_format {
   const char *name;   /* as in --only */
   const char *doc;    /* one sentence */
-  const char *ending; /* of the files it reads, for instance "obj"; NULL when it only writes */
+  const char *ending; /* of the files it reads, for instance "obj" or "step stp"; NULL when it only writes */
   /* How many files the model gives (0: nothing to write). NULL: a reader only. */
   int (*count)(const lam_model *model);
   /* The name of file i relative to the output folder, for instance "parts/A07a.stl". */
@@ -26,6 +27,9 @@ typedef struct lam_format {
                     lam_mesh *mesh);
   bool (*read_triangles)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                          lam_trimesh *mesh);
+  /* Reads the spline surfaces, in meters; at least one when it succeeds. NULL: not read. */
+  bool (*read_surfaces)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                        lam_spline_list *surfaces);
 } lam_format;
 
 extern const lam_format *const lam_formats[];

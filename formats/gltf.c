@@ -1,9 +1,11 @@
 /* glTF binary: meters, y up through the matrix of one root node. Below it a node per family with a named node per part,
  * and for a part with instances a node with one child per instance, all of one mesh. Facts about a part are in the
  * extras of its node. A model without parts shows its net as lines. */
+#include "core/image.h"
 #include "formats/corner_normals.h"
 #include "formats/format.h"
 #include "formats/gltf_scene.h"
+#include "formats/print.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -94,6 +96,29 @@ static int add_net(builder *b) {
   return b->mesh_count++;
 }
 
+/* A print: places count from the upper left corner in glTF. */
+static int add_print(builder *b, const lam_printed *sheet) {
+  static const double white[3] = {1, 1, 1};
+  int n = sheet->mesh.vertex_count;
+  float *places = LAM_NEW(b->arena, float, 2 * (size_t)n);
+  for (int v = 0; v < n; v++) {
+    places[2 * v] = (float)sheet->places[v].x;
+    places[2 * v + 1] = (float)(1 - sheet->places[v].y);
+  }
+  int material = add_material(b, "print", white, 0, 0.7);
+  b->materials[material].double_sided = true;
+  b->meshes[b->mesh_count] =
+      (lam_gltf_mesh){.name = sheet->name,
+                      .material = material,
+                      .vertex_count = n,
+                      .positions = floats_of(b->arena, sheet->mesh.vertices, NULL, n),
+                      .normals = floats_of(b->arena, lam_print_normals(b->arena, &sheet->mesh), NULL, n),
+                      .places = places,
+                      .index_count = 3 * sheet->mesh.triangle_count,
+                      .indices = &sheet->mesh.triangles[0][0]};
+  return b->mesh_count++;
+}
+
 /* ---- nodes ---- */
 
 static int add_node(builder *b, const char *name, int parent, int mesh, const double *matrix) {
@@ -161,7 +186,10 @@ static void add_nodes(builder *b) {
       add_part(b, part, parent);
     }
   }
-  if (!model->part_count) add_node(b, "net", root, add_net(b), NULL);
+  int prints = model->print ? model->print->count : 0;
+  for (int i = 0; i < prints; i++)
+    add_node(b, model->print->sheets[i].name, root, add_print(b, &model->print->sheets[i]), NULL);
+  if (!model->part_count && !prints) add_node(b, "net", root, add_net(b), NULL);
 }
 
 /* ---- the file ---- */
@@ -171,10 +199,11 @@ static void free_bytes(void *slot) { free(*(char **)slot); }
 static lam_status gltf_write(const lam_model *model, int i, lam_text *out) {
   (void)i;
   builder b = {.arena = out->arena, .model = model};
-  size_t nodes = 4;
+  int prints = model->print ? model->print->count : 0;
+  size_t nodes = 4 + (size_t)prints;
   for (int k = 0; k < model->part_count; k++) nodes += 1 + (size_t)model->parts[k].instance_count;
-  b.materials = LAM_NEW(b.arena, lam_gltf_material, model->part_count + 1);
-  b.meshes = LAM_NEW(b.arena, lam_gltf_mesh, model->part_count + 1);
+  b.materials = LAM_NEW(b.arena, lam_gltf_material, model->part_count + 2);
+  b.meshes = LAM_NEW(b.arena, lam_gltf_mesh, model->part_count + prints + 1);
   b.nodes = LAM_NEW(b.arena, lam_gltf_node, nodes);
   add_nodes(&b);
   lam_gltf_scene scene = {.name = model->title ? model->title : model->name,
@@ -184,6 +213,12 @@ static lam_status gltf_write(const lam_model *model, int i, lam_text *out) {
                           .materials = b.materials,
                           .meshes = b.meshes,
                           .nodes = b.nodes};
+  if (prints) {
+    uint8_t *bytes;
+    lam_image image = {model->print->width, model->print->height, (uint8_t *)model->print->pixels}; /* only read */
+    if (!lam_image_encode(b.arena, &image, &bytes, &scene.picture_size)) return LAM_FAILED;
+    scene.picture = bytes;
+  }
   return lam_gltf_write(&scene, out);
 }
 

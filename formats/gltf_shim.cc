@@ -11,11 +11,11 @@
 namespace {
 
 /* The one buffer: vertices (positions, normals and colors, 12 bytes each), then 32-bit indices, then 16-bit indices,
- * then single numbers of animations, each a buffer view. */
+ * then single numbers of animations, then places on the picture, each a buffer view; then the picture. */
 struct Packer {
   tinygltf::Model model;
-  std::vector<unsigned char> vertices, wide, narrow, scalars;
-  enum View { vertex_view, wide_view, narrow_view, scalar_view };
+  std::vector<unsigned char> vertices, wide, narrow, scalars, pairs;
+  enum View { vertex_view, wide_view, narrow_view, scalar_view, pair_view, view_count };
 
   int accessor(View view, std::vector<unsigned char> &data, const void *bytes, size_t size, int component, int type,
                int count) {
@@ -77,6 +77,12 @@ struct Packer {
     p.attributes["POSITION"] = positions(in.positions, in.vertex_count);
     if (in.normals) p.attributes["NORMAL"] = vectors(in.normals, in.vertex_count);
     if (in.colors) p.attributes["COLOR_0"] = vectors(in.colors, in.vertex_count);
+    if (in.places) {
+      p.attributes["TEXCOORD_0"] =
+          accessor(pair_view, pairs, in.places, sizeof(float) * 2 * static_cast<size_t>(in.vertex_count),
+                   TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, in.vertex_count);
+      model.materials[static_cast<size_t>(in.material)].pbrMetallicRoughness.baseColorTexture.index = 0;
+    }
     p.indices = indices(in.indices, in.index_count, in.vertex_count);
     p.material = in.material;
     p.mode = in.normals ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_LINE;
@@ -119,26 +125,47 @@ struct Packer {
     if (!animation.channels.empty()) model.animations.push_back(animation);
   }
 
+  /* The PNG file as it is, in a view of its own. */
+  void picture(const lam_gltf_scene &in, tinygltf::Buffer &buffer) {
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = buffer.data.size();
+    view.byteLength = in.picture_size;
+    buffer.data.insert(buffer.data.end(), in.picture, in.picture + in.picture_size);
+    buffer.data.resize((buffer.data.size() + 3) / 4 * 4);
+    tinygltf::Image image;
+    image.name = "print";
+    image.mimeType = "image/png";
+    image.bufferView = static_cast<int>(model.bufferViews.size());
+    model.bufferViews.push_back(view);
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(model.images.size());
+    model.images.push_back(image);
+    model.textures.push_back(texture);
+  }
+
   /* Views that hold nothing are left out; accessors of the later ones move up. */
-  void pack() {
+  void pack(const lam_gltf_scene &in) {
     tinygltf::Buffer buffer;
-    int moved[4] = {-1, -1, -1, -1};
-    std::vector<unsigned char> *parts[4] = {&vertices, &wide, &narrow, &scalars};
-    for (int v = 0; v < 4; v++) {
+    int moved[view_count] = {-1, -1, -1, -1, -1};
+    std::vector<unsigned char> *parts[view_count] = {&vertices, &wide, &narrow, &scalars, &pairs};
+    for (int v = 0; v < view_count; v++) {
       if (parts[v]->empty()) continue;
       tinygltf::BufferView view;
       view.buffer = 0;
       view.byteOffset = buffer.data.size();
       view.byteLength = parts[v]->size();
-      view.byteStride = v == vertex_view ? 12 : 0;
+      bool of_vertices = v == vertex_view || v == pair_view;
+      view.byteStride = v == vertex_view ? 12 : v == pair_view ? 8 : 0;
       if (v != scalar_view)
-        view.target = v == vertex_view ? TINYGLTF_TARGET_ARRAY_BUFFER : TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+        view.target = of_vertices ? TINYGLTF_TARGET_ARRAY_BUFFER : TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
       moved[v] = static_cast<int>(model.bufferViews.size());
       model.bufferViews.push_back(view);
       buffer.data.insert(buffer.data.end(), parts[v]->begin(), parts[v]->end());
       buffer.data.resize((buffer.data.size() + 3) / 4 * 4);
     }
     for (tinygltf::Accessor &a : model.accessors) a.bufferView = moved[a.bufferView];
+    if (in.picture) picture(in, buffer);
     if (!buffer.data.empty()) model.buffers.push_back(std::move(buffer));
   }
 };
@@ -197,7 +224,7 @@ lam_status lam_gltf_encode(const lam_gltf_scene *scene, char **bytes, size_t *co
     for (int i = 0; i < scene->material_count; i++) packer.model.materials.push_back(material_of(scene->materials[i]));
     for (int i = 0; i < scene->mesh_count; i++) packer.mesh(scene->meshes[i]);
     if (scene->animation.name) packer.animation(*scene);
-    packer.pack();
+    packer.pack(*scene);
     add_nodes(*scene, packer.model);
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;

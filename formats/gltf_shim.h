@@ -25,6 +25,7 @@ typedef struct lam_gltf_mesh {
   const float *positions; /* 3 per vertex */
   const float *normals;   /* 3 per vertex, unit; or NULL */
   const float *colors;    /* 3 per vertex, linear RGB; or NULL */
+  const float *places;    /* 2 per vertex, on the scene's picture from its upper left corner; NULL: no texture */
   int index_count;
   const int *indices;
   /* Morph targets: displacements of positions and, with normals, of normals; 3 per vertex. May be none. */
@@ -61,6 +62,8 @@ typedef struct lam_gltf_scene {
   const lam_gltf_mesh *meshes;
   const lam_gltf_node *nodes;
   lam_gltf_animation animation;
+  const unsigned char *picture; /* a PNG file, the texture of materials of meshes with places; NULL: none */
+  size_t picture_size;
 } lam_gltf_scene;
 
 /* The bytes of a .glb file: *bytes is freed with free(). LAM_OK, LAM_NO_MEMORY or LAM_FAILED (then *bytes is NULL). The

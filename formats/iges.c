@@ -1,7 +1,7 @@
 /* IGES 5.3 in millimeters: every spline surface of the model as a rational B-spline surface (entity 128), and its four
  * sides as rational B-spline curves (entity 126). Fixed columns: 72 of data, a letter for the section, 7 for the
  * number. */
-#include "formats/format.h"
+#include "formats/iges.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -74,13 +74,18 @@ static void put_point(iges *g, lam_vec3 p) {
   put_real(g, 1000 * p.z, false);
 }
 
+/* Whether the surface closes up in direction d. */
+static bool closes_up(const lam_spline_surface *s, int d) {
+  lam_spline_side low = lam_spline_side_of(s, d ? 0 : 3), high = lam_spline_side_of(s, d ? 2 : 1);
+  return lam_spline_sides_meet(&low, &high);
+}
+
 static void put_surface(iges *g, const lam_spline_surface *s) {
   int first = g->parameter_lines + 1, total = s->count[0] * s->count[1];
   begin_entity(g, 128);
   for (int d = 0; d < 2; d++) put_integer(g, s->count[d] - 1);
   for (int d = 0; d < 2; d++) put_integer(g, s->degree[d]);
-  put_integer(g, 0); /* not closed, */
-  put_integer(g, 0);
+  for (int d = 0; d < 2; d++) put_integer(g, closes_up(s, d));
   put_integer(g, s->weights == NULL); /* polynomial or not, */
   put_integer(g, 0);                  /* not periodic */
   put_integer(g, 0);
@@ -98,23 +103,24 @@ static void put_surface(iges *g, const lam_spline_surface *s) {
   end_entity(g, 128, first, "SURFACE");
 }
 
-/* Side k: v = 0, u = 1, v = 1, u = 0. */
+/* A side as a curve. One that is only a point, or lies on the opposite one, is left out. */
 static void put_side(iges *g, const lam_spline_surface *s, int k) {
-  int d = k & 1, count = s->count[d], stride = d ? 1 : s->count[1], line = g->parameter_lines + 1;
-  int from = k == 1 ? (s->count[0] - 1) * s->count[1] : k == 2 ? s->count[1] - 1 : 0;
+  lam_spline_side c = lam_spline_side_of(s, k);
+  if (lam_spline_side_is_point(&c) || (k >= 2 && closes_up(s, k == 2))) return;
+  int line = g->parameter_lines + 1, last = c.first + (c.count - 1) * c.stride;
   begin_entity(g, 126);
-  put_integer(g, count - 1);
-  put_integer(g, s->degree[d]);
-  put_integer(g, 0); /* not planar, not closed */
+  put_integer(g, c.count - 1);
+  put_integer(g, c.degree);
+  put_integer(g, 0); /* not known to be planar */
+  put_integer(g, lam_spline_meet(c.points[c.first], c.points[last]));
+  put_integer(g, c.weights == NULL);
   put_integer(g, 0);
-  put_integer(g, s->weights == NULL);
-  put_integer(g, 0);
-  for (int i = 0; i < count + s->degree[d] + 1; i++) put_real(g, s->knots[d][i], false);
-  for (int i = 0; i < count; i++) put_real(g, s->weights ? s->weights[from + i * stride] : 1, false);
-  for (int i = 0; i < count; i++) put_point(g, s->points[from + i * stride]);
-  put_real(g, s->knots[d][s->degree[d]], false);
-  put_real(g, s->knots[d][count], false);
-  for (int c = 0; c < 3; c++) put_real(g, 0, c == 2); /* the normal of a planar curve */
+  for (int i = 0; i < c.count + c.degree + 1; i++) put_real(g, c.knots[i], false);
+  for (int i = 0; i < c.count; i++) put_real(g, c.weights ? c.weights[c.first + i * c.stride] : 1, false);
+  for (int i = 0; i < c.count; i++) put_point(g, c.points[c.first + i * c.stride]);
+  put_real(g, c.knots[c.degree], false);
+  put_real(g, c.knots[c.count], false);
+  for (int i = 0; i < 3; i++) put_real(g, 0, i == 2); /* the normal of a planar curve */
   end_entity(g, 126, line, "SIDE");
 }
 
@@ -156,8 +162,9 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   put_line(out, "smooth surfaces of a design, in millimeters", data_width, 'S', 1);
   int global_lines = put_global(&g, model);
   for (int s = 0; s < model->surface_count; s++) {
-    put_surface(&g, &model->surfaces[s]);
-    for (int k = 0; k < 4; k++) put_side(&g, &model->surfaces[s], k);
+    lam_spline_surface clamped = lam_spline_clamped(out->arena, &model->surfaces[s]);
+    put_surface(&g, &clamped);
+    for (int k = 0; k < 4; k++) put_side(&g, &clamped, k);
   }
   lam_text_bytes(out, g.directory.data, g.directory.length);
   lam_text_bytes(out, g.parameters.data, g.parameters.length);
@@ -170,7 +177,9 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_iges = {
     .name = "iges",
     .doc = "The smooth surfaces and their sides for CAD programs (IGES 5.3, entities 128 and 126), in millimeters.",
+    .ending = "igs iges",
     .count = count,
     .path = path,
     .write = write,
+    .read_surfaces = lam_iges_read,
 };

@@ -111,7 +111,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
     if (isfinite(figures[k])) extras[extra_count++] = (lam_gltf_extra){names[k], NULL, figures[k] + 0.};
   extras[extra_count++] = (lam_gltf_extra){"count", NULL, (double)m->count};
   lam_gltf_node nodes[2] = {{model->name, -1, -1, y_up, 0, NULL}, {m->name, 0, 0, NULL, extra_count, extras}};
-  lam_gltf_scene scene = {model->name, 1, 1, 2, &material, &mesh, nodes, {NULL, 0}};
+  lam_gltf_scene scene = {model->name, 1, 1, 2, &material, &mesh, nodes, {NULL, 0}, NULL, 0};
   return encode(&scene, out);
 }
 

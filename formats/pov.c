@@ -7,6 +7,7 @@
 
 #include "core/mesh.h"
 #include "formats/pov_net.h"
+#include "formats/pov_print.h"
 #include <string.h>
 
 /* Faces whose normals differ by less than this are shaded as one smooth surface. */
@@ -72,7 +73,12 @@ static void find_extremes(const lam_model *model, lam_vec3 *points) {
       for (int v = 0; v < part->solid.vertex_count; v++) take_point(&e, placed(frame, part->solid.vertices[v]));
     }
   }
-  for (int v = 0; !model->part_count && v < model->net->vertex_count; v++) take_point(&e, model->net->vertices[v]);
+  for (int i = 0; model->print && i < model->print->count; i++) {
+    const lam_trimesh *mesh = &model->print->sheets[i].mesh;
+    for (int v = 0; v < mesh->vertex_count; v++) take_point(&e, mesh->vertices[v]);
+  }
+  bool net = !model->part_count && !model->print;
+  for (int v = 0; net && v < model->net->vertex_count; v++) take_point(&e, model->net->vertices[v]);
 }
 
 static void add_array(lam_text *out, const char *name, const lam_vec3 *points, int count, int decimals) {
@@ -157,14 +163,15 @@ static void add_objects(lam_text *out, const lam_model *model) {
       lam_text_add(out, ") }\n");
     }
   }
-  if (!model->part_count)
+  if (model->print) lam_pov_print_objects(out, model->print, number);
+  if (!model->part_count && !model->print)
     lam_text_add(out, "object { Net_Faces Look(1, Material_net_faces) }\n"
                       "object { Net_Lines Look(2, Material_net_lines) }\n");
   lam_text_add(out, "#end\n");
 }
 
 static lam_status write_scene(const lam_model *model, int i, lam_text *out) {
-  (void)i;
+  if (i == 1) return lam_pov_print_picture(out, model->print);
   lam_vec3 extremes[direction_count], min, max;
   find_extremes(model, extremes);
   lam_points_bounds(extremes, direction_count, &min, &max);
@@ -172,17 +179,20 @@ static lam_status write_scene(const lam_model *model, int i, lam_text *out) {
   add_head(out, model, decimals);
   add_materials(out, model);
   for (int k = 0; k < model->part_count; k++) add_part(out, &model->parts[k], k + 1, decimals);
-  if (!model->part_count) lam_pov_net_add(out, model->net, smooth_angle, decimals);
+  if (model->print) lam_pov_print_add(out, model->print, decimals);
+  if (!model->part_count && !model->print) lam_pov_net_add(out, model->net, smooth_angle, decimals);
   add_objects(out, model);
   lam_text_printf(out, "\n#include \"%s.inc\"\n", model->picture.setting);
   return LAM_OK;
 }
 
-static int count_scenes(const lam_model *model) { return model->part_count > 0 || model->net; }
+/* The scene, and the picture that is printed in it. */
+static int count_scenes(const lam_model *model) {
+  return model->part_count > 0 || model->net ? (model->print ? 2 : 1) : 0;
+}
 
 static void scene_path(const lam_model *model, int i, lam_text *path) {
-  (void)i;
-  lam_text_printf(path, "%s.pov", model->name);
+  lam_text_printf(path, i ? "print.png" : "%s.pov", model->name);
 }
 
 /* ---- template files ---- */

@@ -1,9 +1,7 @@
 /* STEP (ISO 10303-214, "automotive design") in millimeters: every spline surface of the model as a face with its
  * natural boundary, all in one open shell. Reals carry a decimal point and an upper-case E: readers silently misread
  * others. */
-#include "formats/format.h"
-
-#include <string.h>
+#include "formats/step.h"
 
 typedef struct step {
   lam_text *out;
@@ -71,20 +69,11 @@ static void add_weights(step *s, const double *weights, int count, int stride) {
 
 /* ---- curves ---- */
 
-/* A row or column of a control net. */
-typedef struct side {
-  int degree, count, stride;
-  const double *knots;
-  const int *points;      /* entities */
-  const double *weights;  /* NULL: all 1 */
-  const lam_vec3 *places; /* of the points */
-} side;
-
-static int add_curve(step *s, const side *c) {
+static int add_curve(step *s, const lam_spline_side *c, const int *points) {
   int number = begin(s), knots = c->count + c->degree + 1;
   if (c->weights) lam_text_add(s->out, "(BOUNDED_CURVE()");
   lam_text_printf(s->out, c->weights ? "B_SPLINE_CURVE(%d," : "B_SPLINE_CURVE_WITH_KNOTS('',%d,", c->degree);
-  add_references(s, c->points, c->count, c->stride);
+  add_references(s, points + c->first, c->count, c->stride);
   lam_text_add(s->out, ",.UNSPECIFIED.,.F.,.F.");
   lam_text_add(s->out, c->weights ? ")B_SPLINE_CURVE_WITH_KNOTS(" : ",");
   add_multiplicities(s, c->knots, knots);
@@ -93,7 +82,7 @@ static int add_curve(step *s, const side *c) {
   lam_text_add(s->out, ",.UNSPECIFIED.)");
   if (c->weights) {
     lam_text_add(s->out, "CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(");
-    add_weights(s, c->weights, c->count, c->stride);
+    add_weights(s, c->weights + c->first, c->count, c->stride);
     lam_text_add(s->out, ")REPRESENTATION_ITEM(''))");
   }
   end(s);
@@ -134,68 +123,47 @@ static int add_surface(step *s, const lam_spline_surface *b, const int *points) 
   return number;
 }
 
-/* Side k of the counterclockwise boundary: v = 0, u = 1, v = 1, u = 0. Its curve runs with its parameter. */
-static side side_of(const lam_spline_surface *b, const int *points, int k) {
-  int along = k & 1, n = b->count[0], m = b->count[1];
-  int first = k == 1 ? (n - 1) * m : k == 2 ? m - 1 : 0;
-  return (side){b->degree[along], b->count[along], along ? 1 : m,
-                b->knots[along],  points + first,  b->weights ? b->weights + first : NULL,
-                b->points + first};
-}
-
-static bool is_point(const side *c) {
-  for (int i = 1; i < c->count; i++)
-    if (lam_distance(c->places[i * c->stride], c->places[0]) > 0) return false;
-  return true;
-}
-
-static bool same_curve(const side *a, const side *b) {
-  for (int i = 0; i < a->count; i++) {
-    if (lam_distance(a->places[i * a->stride], b->places[i * b->stride]) > 0) return false;
-    if (a->weights && a->weights[i * a->stride] != b->weights[i * b->stride]) return false;
-  }
-  return true;
-}
-
-/* The face of a surface. A side that is a point has no edge; sides that coincide share theirs (a seam). Ends that
- * coincide share a vertex. */
-static int add_face(step *s, const lam_spline_surface *b) {
-  int total = b->count[0] * b->count[1], *points = LAM_NEW(s->out->arena, int, total);
-  for (int i = 0; i < total; i++) points[i] = add_point(s, b->points[i]);
-  int surface = add_surface(s, b, points), edges[4] = {0}, loop[4], loop_count = 0;
-  static const int corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  int vertices[4];
-  lam_vec3 places[4];
+/* The four corners, counterclockwise from (0, 0); those that coincide share a vertex. */
+static void add_vertices(step *s, const lam_spline_surface *b, const int *points, int vertices[4]) {
+  int n = b->count[0], m = b->count[1], corners[4] = {0, (n - 1) * m, n * m - 1, m - 1};
   for (int k = 0; k < 4; k++) {
-    int at = corner[k][0] * (b->count[0] - 1) * b->count[1] + corner[k][1] * (b->count[1] - 1);
-    places[k] = b->points[at];
     vertices[k] = 0;
     for (int j = 0; j < k; j++)
-      if (lam_distance(places[j], places[k]) == 0) vertices[k] = vertices[j];
+      if (lam_spline_meet(b->points[corners[j]], b->points[corners[k]])) vertices[k] = vertices[j];
     if (vertices[k]) continue;
     vertices[k] = begin(s);
-    lam_text_printf(s->out, "VERTEX_POINT('',#%d)", points[at]);
+    lam_text_printf(s->out, "VERTEX_POINT('',#%d)", points[corners[k]]);
     end(s);
   }
+}
+
+/* The loop around a surface; returns the number of its edges, as they are passed. A side that is a point has no edge;
+ * sides that coincide share theirs (a seam). */
+static int add_loop(step *s, const lam_spline_surface *b, const int *points, int loop[4]) {
+  static const int ends[4][2] = {{0, 1}, {1, 2}, {3, 2}, {0, 3}}; /* corners, along the curve */
+  int vertices[4], edges[4] = {0}, count = 0;
+  add_vertices(s, b, points, vertices);
   for (int k = 0; k < 4; k++) {
-    side c = side_of(b, points, k);
-    if (is_point(&c)) continue;
-    if (k >= 2 && edges[k - 2]) {
-      side opposite = side_of(b, points, k - 2);
-      if (same_curve(&c, &opposite)) edges[k] = edges[k - 2];
-    }
+    lam_spline_side c = lam_spline_side_of(b, k), opposite = lam_spline_side_of(b, k ^ 2);
+    if (lam_spline_side_is_point(&c)) continue;
+    if (k >= 2 && edges[k - 2] && lam_spline_sides_meet(&c, &opposite)) edges[k] = edges[k - 2];
     if (!edges[k]) {
-      int curve = add_curve(s, &c);
+      int curve = add_curve(s, &c, points);
       edges[k] = begin(s);
-      int from = k == 2 ? 3 : k == 3 ? 0 : k, to = k == 2 ? 2 : k == 3 ? 3 : k + 1;
-      lam_text_printf(s->out, "EDGE_CURVE('',#%d,#%d,#%d,.T.)", vertices[from], vertices[to], curve);
+      lam_text_printf(s->out, "EDGE_CURVE('',#%d,#%d,#%d,.T.)", vertices[ends[k][0]], vertices[ends[k][1]], curve);
       end(s);
     }
-    loop[loop_count++] = begin(s);
+    loop[count++] = begin(s);
     lam_text_printf(s->out, "ORIENTED_EDGE('',*,*,#%d,.%c.)", edges[k], k < 2 ? 'T' : 'F');
     end(s);
   }
-  int edge_loop = begin(s);
+  return count;
+}
+
+static int add_face(step *s, const lam_spline_surface *b) {
+  int total = b->count[0] * b->count[1], *points = LAM_NEW(s->out->arena, int, total), loop[4];
+  for (int i = 0; i < total; i++) points[i] = add_point(s, b->points[i]);
+  int surface = add_surface(s, b, points), loop_count = add_loop(s, b, points, loop), edge_loop = begin(s);
   lam_text_add(s->out, "EDGE_LOOP('',");
   add_references(s, loop, loop_count, 1);
   lam_text_add(s->out, ")");
@@ -211,12 +179,26 @@ static int add_face(step *s, const lam_spline_surface *b) {
 
 /* ---- the file ---- */
 
+/* The code point that begins at *at, in UTF-8; *at moves behind it. What is not well formed is passed over as it is. */
+static unsigned long next_code_point(const char **at) {
+  const unsigned char *c = (const unsigned char *)*at;
+  int more = c[0] >= 0xf0 ? 3 : c[0] >= 0xe0 ? 2 : c[0] >= 0xc0 ? 1 : 0, i = 1;
+  unsigned long code = more ? c[0] & (0x3fu >> more) : c[0];
+  for (; i <= more && (c[i] & 0xc0) == 0x80; i++) code = code << 6 | (c[i] & 0x3fu);
+  *at += i;
+  return code;
+}
+
+/* A string in ASCII: quotes and backslashes are doubled, other letters written by their code point. */
 static void add_quoted(lam_text *out, const char *string) {
   lam_text_add(out, "'");
-  for (; *string; string++) {
-    if (*string == '\'') lam_text_add(out, "'");
-    if ((unsigned char)*string >= ' ' && (unsigned char)*string < 127 && *string != '\\')
-      lam_text_bytes(out, string, 1);
+  while (*string) {
+    unsigned long code = next_code_point(&string);
+    if (code == '\'' || code == '\\') lam_text_printf(out, "%c", (int)code);
+    if (code >= ' ' && code < 127)
+      lam_text_printf(out, "%c", (int)code);
+    else if (code > 127)
+      lam_text_printf(out, code > 0xffff ? "\\X4\\%08lX\\X0\\" : "\\X2\\%04lX\\X0\\", code);
   }
   lam_text_add(out, "'");
 }
@@ -267,7 +249,10 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   int shape, *faces = LAM_NEW(out->arena, int, model->surface_count);
   add_head(&s, model);
   int context = add_product(&s, model, &shape);
-  for (int f = 0; f < model->surface_count; f++) faces[f] = add_face(&s, &model->surfaces[f]);
+  for (int f = 0; f < model->surface_count; f++) {
+    lam_spline_surface clamped = lam_spline_clamped(out->arena, &model->surfaces[f]);
+    faces[f] = add_face(&s, &clamped);
+  }
   int shell = begin(&s);
   lam_text_add(out, "OPEN_SHELL('',");
   add_references(&s, faces, model->surface_count, 1);
@@ -292,7 +277,9 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_step = {
     .name = "step",
     .doc = "The smooth surfaces as an open shell for CAD programs (STEP AP214), in millimeters.",
+    .ending = "step stp",
     .count = count,
     .path = path,
     .write = write,
+    .read_surfaces = lam_step_read,
 };

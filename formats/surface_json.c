@@ -1,6 +1,11 @@
 /* surface.json: the control nets of the model's spline surfaces, in meters. Numbers read back exactly. */
 #include "formats/format.h"
 
+#include <jansson.h>
+#include <string.h>
+
+/* ---- writing ---- */
+
 static int count(const lam_model *model) { return model->surface_count > 0; }
 
 static void path(const lam_model *model, int i, lam_text *out) {
@@ -52,10 +57,116 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   return LAM_OK;
 }
 
+/* ---- reading ---- */
+
+/* What is being read, for messages. */
+typedef struct reader {
+  lam_arena *arena;
+  lam_place place;
+  lam_errors *errors;
+  double unit; /* in meters */
+  int surface; /* from 0 */
+} reader;
+
+static bool fail(const reader *r, const char *what, const char *expected) {
+  lam_error_add(r->errors, r->place, NULL, "surfaces[%d].%s: expected %s", r->surface, what, expected);
+  return false;
+}
+
+/* A list of so many numbers; count < 0: of any number, but some. */
+static const double *read_numbers(const reader *r, const json_t *list, int count) {
+  int given = (int)json_array_size(list);
+  if (given == 0 || (count >= 0 && given != count)) return NULL;
+  double *numbers = LAM_NEW(r->arena, double, given);
+  for (int i = 0; i < given; i++) {
+    const json_t *item = json_array_get(list, (size_t)i);
+    if (!json_is_number(item)) return NULL;
+    numbers[i] = json_number_value(item);
+  }
+  return numbers;
+}
+
+static bool read_pair(const json_t *list, int least, int pair[2]) {
+  for (int d = 0; d < 2; d++) {
+    json_int_t value = json_integer_value(json_array_get(list, (size_t)d));
+    if (value < least || value > 1000000) return false;
+    pair[d] = (int)value;
+  }
+  return json_array_size(list) == 2;
+}
+
+static bool read_surface(const reader *r, const json_t *object, lam_spline_surface *s) {
+  static const char *const knots[] = {"knots_u", "knots_v"};
+  const json_t *points = json_object_get(object, "points"), *weights = json_object_get(object, "weights");
+  if (!read_pair(json_object_get(object, "degree"), 1, s->degree))
+    return fail(r, "degree", "two whole numbers from 1 on");
+  if (!read_pair(json_object_get(object, "count"), 2, s->count)) return fail(r, "count", "two whole numbers from 2 on");
+  size_t total = (size_t)s->count[0] * (size_t)s->count[1];
+  if (json_array_size(points) != total) return fail(r, "points", "as many points as count says");
+  lam_vec3 *net = LAM_NEW(r->arena, lam_vec3, total);
+  for (size_t i = 0; i < total; i++) {
+    const double *p = read_numbers(r, json_array_get(points, i), 3);
+    if (!p) return fail(r, "points", "three numbers for each");
+    net[i] = lam_v3(r->unit * p[0], r->unit * p[1], r->unit * p[2]);
+  }
+  s->points = net;
+  for (int d = 0; d < 2; d++)
+    if (!(s->knots[d] = read_numbers(r, json_object_get(object, knots[d]), s->count[d] + s->degree[d] + 1)))
+      return fail(r, knots[d], "count + degree + 1 numbers");
+  if (weights && !(s->weights = read_numbers(r, weights, (int)total)))
+    return fail(r, "weights", "a number for each point");
+  const char *problem = lam_spline_problem(s);
+  if (problem) lam_error_add(r->errors, r->place, NULL, "surfaces[%d] has %s", r->surface, problem);
+  return !problem;
+}
+
+static bool read_unit(reader *r, const json_t *unit) {
+  static const struct {
+    const char *name;
+    double size;
+  } units[] = {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}};
+  for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+    if (json_is_string(unit) && strcmp(json_string_value(unit), units[i].name) == 0) r->unit = units[i].size;
+  if (r->unit == 0) lam_error_add(r->errors, r->place, NULL, "unit: expected m, cm or mm");
+  return r->unit > 0;
+}
+
+static void release(void *root) { json_decref(root); }
+
+static bool read_surfaces(lam_arena *arena, const char *bytes, size_t size, lam_place place, lam_errors *errors,
+                          lam_spline_list *surfaces) {
+  json_error_t error;
+  reader r = {.arena = arena, .place = place, .errors = errors};
+  json_t *root = json_loadb(bytes, size, 0, &error);
+  *surfaces = (lam_spline_list){0};
+  if (!root) {
+    r.place.line = error.line > 0 ? error.line : 0;
+    lam_text text = {.arena = arena}; /* in one line */
+    lam_text_quoted(&text, error.text);
+    lam_error_add(errors, r.place, NULL, "is not valid JSON: %s", text.data);
+    return false;
+  }
+  lam_arena_defer(arena, release, root);
+  const json_t *list = json_object_get(root, "surfaces");
+  if (!json_array_size(list)) {
+    lam_error_add(errors, place, NULL, "has no surfaces; expected a map with unit and surfaces");
+    return false;
+  }
+  if (!read_unit(&r, json_object_get(root, "unit"))) return false;
+  for (; r.surface < (int)json_array_size(list); r.surface++) {
+    lam_spline_surface s = {0};
+    if (!read_surface(&r, json_array_get(list, (size_t)r.surface), &s)) return false;
+    lam_spline_append(arena, surfaces, &s);
+  }
+  return true;
+}
+
 const lam_format lam_format_surface = {
     .name = "surface",
     .doc = "The control nets of the smooth surfaces (degrees, knots, points, weights) as JSON, in meters.",
+    .ending = "json",
     .count = count,
     .path = path,
     .write = write,
+    .read_surfaces = read_surfaces,
 };

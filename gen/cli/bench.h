@@ -62,8 +62,10 @@ json_t *lam_bench_json(const char *section, const lam_bench_case *what, const la
 double lam_bench_clock(void);
 
 /* The sections. False with errors. */
-bool lam_bench_sizes(lam_bench *bench);  /* every net of the table, growing */
-bool lam_bench_thesis(lam_bench *bench); /* the two methods side by side */
-bool lam_bench_factor(lam_bench *bench); /* an iteration against CHOLMOD on the same matrix; hard meshes */
+bool lam_bench_sizes(lam_bench *bench);       /* every net of the table, growing */
+bool lam_bench_thesis(lam_bench *bench);      /* the two methods side by side */
+void lam_bench_developable(lam_bench *bench); /* Newton's method against the two algorithms of Li & Deng */
+bool lam_bench_factor(lam_bench *bench);      /* an iteration against CHOLMOD on the same matrix; hard meshes */
+bool lam_bench_surfaces(lam_bench *bench);    /* least area: three methods from one start */
 
 #endif

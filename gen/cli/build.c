@@ -107,6 +107,12 @@ static bool load_triangles(void *context, lam_arena *arena, const char *path, la
   return lam_input_triangles(arena, beside(context, arena, path), errors, mesh);
 }
 
+static bool load_surface(void *context, lam_arena *arena, const char *path, int face, lam_place place,
+                         lam_errors *errors, lam_spline_surface *surface) {
+  (void)place;
+  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface);
+}
+
 /* Builds another design as far as its net. */
 static bool load_net(void *context, lam_arena *arena, const char *name, lam_place place, lam_errors *errors,
                      lam_mesh *mesh) {
@@ -130,7 +136,8 @@ static bool load_net(void *context, lam_arena *arena, const char *name, lam_plac
   if (!lam_design_parse(arena, bytes, count, files.design, NULL, 0, errors, &design)) return false;
   lam_references_check(&design, errors);
   design.parts.count = 0;
-  lam_loader loader = {.mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net};
+  lam_loader loader = {
+      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
   if (errors->count > before || !lam_design_build(arena, &design, &loader, NULL, errors, &model)) return false;
   if (!model.net)
     lam_error_add(errors, place, "net.from.design", "%s has no net", files.design);
@@ -214,7 +221,8 @@ static int build(lam_arena *arena, int argc, char **argv) {
   if (errors.count == 0) lam_references_check(design, &errors);
   if (errors.count) return lam_complain(&errors);
   source_files files = {.design = given.path};
-  lam_loader loader = {.mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net};
+  lam_loader loader = {
+      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
   lam_progress progress = lam_terminal_progress(arena, given.quiet);
   lam_model *model = LAM_NEW(arena, lam_model, 1);
   if (!lam_design_build(arena, design, &loader, &progress, &errors, model)) {

@@ -15,7 +15,8 @@ int lam_complain(const lam_errors *errors) {
   for (const lam_error *error = errors->first; error; error = error->next) {
     const char *file = error->place.file;
     if (file) fprintf(stderr, "%s:", file);
-    if (error->place.line > 0) fprintf(stderr, "%d:%d:", error->place.line, error->place.column);
+    if (error->place.line > 0) fprintf(stderr, "%d:", error->place.line);
+    if (error->place.line > 0 && error->place.column > 0) fprintf(stderr, "%d:", error->place.column);
     if (file || error->place.line > 0) fputc(' ', stderr);
     if (error->key && !(file && names_key(file, error->key))) fprintf(stderr, "%s: ", error->key);
     fprintf(stderr, "%s\n", error->text);

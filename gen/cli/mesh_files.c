@@ -8,7 +8,7 @@ enum { largest_mesh_file = 1 << 30 };
 static const lam_format *open_mesh(lam_arena *arena, const char *path, lam_errors *errors, char **bytes,
                                    size_t *count) {
   const lam_format *format = lam_format_for(path);
-  if (!format) {
+  if (!format || !format->read_triangles) {
     lam_error_add(errors, (lam_place){.file = path}, NULL, "not a mesh file that is read; expected .obj or .stl");
     return NULL;
   }
@@ -30,4 +30,25 @@ bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors,
   size_t count;
   const lam_format *format = open_mesh(arena, path, errors, &bytes, &count);
   return format && format->read_triangles(arena, bytes, count, (lam_place){.file = path}, errors, mesh);
+}
+
+bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors *errors, lam_spline_surface *surface) {
+  lam_place place = {.file = path};
+  const lam_format *format = lam_format_for(path);
+  char *bytes;
+  size_t count;
+  lam_spline_list read;
+  if (!format || !format->read_surfaces) {
+    lam_error_add(errors, place, NULL, "not a file of surfaces; expected .step, .stp, .igs, .iges or .json");
+    return false;
+  }
+  if (lam_file_read(arena, path, largest_mesh_file, errors, &bytes, &count) != LAM_OK) return false;
+  if (!format->read_surfaces(arena, bytes, count, place, errors, &read)) return false;
+  if (face > read.count) {
+    lam_error_add(errors, place, NULL, "face %d asked for, but the file has %d B-spline surface%s", face, read.count,
+                  read.count == 1 ? "" : "s");
+    return false;
+  }
+  *surface = read.items[face - 1];
+  return true;
 }

@@ -1,4 +1,4 @@
-/* Mesh files for nets and references, in any format that is read. */
+/* Files of nets, references and surfaces, in any format that is read. */
 #ifndef LAM_CLI_MESH_FILES_H
 #define LAM_CLI_MESH_FILES_H
 
@@ -8,5 +8,7 @@
 /* The quads / triangles of a file. False with messages when it cannot be read. */
 bool lam_input_mesh(lam_arena *arena, const char *path, lam_errors *errors, lam_mesh *mesh);
 bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors, lam_trimesh *mesh);
+/* Surface number `face` (from 1) of a file. */
+bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors *errors, lam_spline_surface *surface);
 
 #endif

@@ -1,4 +1,5 @@
 #include "cli/references.h"
+#include "cli/mesh_files.h"
 #include "cli/templates.h"
 #include "net/kind.h"
 #include "net/map.h"
@@ -8,14 +9,34 @@
 #include <unistd.h>
 
 /* A file that the design names lies relative to the design. */
-static void check_file(const lam_design *design, const char *file, const char *key, lam_errors *errors) {
-  if (!file) return;
+static const char *beside(const lam_design *design, const char *file, lam_arena *arena) {
   const char *slash = design->path && file[0] != '/' ? strrchr(design->path, '/') : NULL;
   int folder = slash ? (int)(slash - design->path) + 1 : 0;
-  const char *path = lam_arena_printf(errors->arena, "%.*s%s", folder, design->path ? design->path : "", file);
-  if (access(path, R_OK) == 0) return;
-  lam_error_add(errors, design->net.place, key, "given %s; expected a file that can be read (looked for %s)", file,
-                path);
+  return lam_arena_printf(arena, "%.*s%s", folder, design->path ? design->path : "", file);
+}
+
+static bool check_file(const lam_design *design, const char *file, lam_place place, const char *key,
+                       lam_errors *errors) {
+  if (!file) return true;
+  const char *path = beside(design, file, errors->arena);
+  if (access(path, R_OK) == 0) return true;
+  lam_error_add(errors, place, key, "given %s; expected a file that can be read (looked for %s)", file, path);
+  return false;
+}
+
+/* What is wrong with the surface when its keys, or the file that it stands in, are taken together. */
+static void check_surface(const lam_design *design, lam_errors *errors) {
+  const lam_row *row = &design->surface;
+  const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
+  if (kind->reads_file) {
+    lam_surface_source *source = row->params;
+    lam_spline_surface *surface = LAM_NEW(errors->arena, lam_spline_surface, 1);
+    if (!check_file(design, source->file, row->place, "surface.file", errors)) return;
+    const char *path = beside(design, source->file, errors->arena);
+    if (!lam_input_surface(errors->arena, path, source->face, errors, surface)) return;
+    source->surface = surface;
+  }
+  lam_surface_make(errors->arena, row, errors);
 }
 
 /* Without templates there is nothing to compare with. */
@@ -27,12 +48,12 @@ static void check_setting(const lam_design *design, lam_errors *errors) {
 }
 
 void lam_references_check(const lam_design *design, lam_errors *errors) {
-  if (design->surface.head) lam_surface_make(errors->arena, &design->surface, errors);
+  if (design->surface.head) check_surface(design, errors);
   check_setting(design, errors);
   lam_measures_check(&design->plots, true, (lam_place){.file = design->path}, "plots", errors);
   if (!design->net.head) return;
   const lam_net_common *net = design->net.common;
   lam_measures_check(&net->measures, false, design->net.place, "net.measures", errors);
-  check_file(design, net->from.file, "net.from.file", errors);
-  check_file(design, net->reference.file, "net.reference.file", errors);
+  check_file(design, net->from.file, design->net.place, "net.from.file", errors);
+  check_file(design, net->reference.file, design->net.place, "net.reference.file", errors);
 }

@@ -92,7 +92,7 @@ static lam_listed *collect_formats(lam_arena *arena, const lam_section *section,
   lam_listed *listed = LAM_NEW(arena, lam_listed, lam_format_count);
   for (int i = 0; i < lam_format_count; i++) {
     const lam_format *format = lam_formats[i];
-    bool reads = format->read_mesh || format->read_triangles;
+    bool reads = format->read_mesh || format->read_triangles || format->read_surfaces;
     const char *ways = format->path ? reads ? "It is written and read." : "It is written." : "It is read.";
     listed[i] = (lam_listed){.name = format->name, .title = format->doc, .doc = ways};
   }

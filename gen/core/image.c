@@ -45,15 +45,23 @@ lam_status lam_image_read(lam_arena *arena, const char *path, lam_errors *errors
   return LAM_OK;
 }
 
-lam_status lam_image_write(const char *path, const lam_image *image, lam_errors *errors) {
+bool lam_image_encode(lam_arena *arena, const lam_image *image, uint8_t **bytes, size_t *count) {
   png_image png = {.version = PNG_IMAGE_VERSION,
                    .width = (png_uint_32)image->width,
                    .height = (png_uint_32)image->height,
                    .format = PNG_FORMAT_RGB};
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  uint8_t *bytes = LAM_NEW(errors->arena, uint8_t, size);
-  if (!png_image_write_to_memory(&png, bytes, &size, 0, image->pixels, 0, NULL)) {
-    lam_error_add(errors, (lam_place){.file = path}, NULL, "cannot be written: %s", png.message);
+  *bytes = LAM_NEW(arena, uint8_t, size);
+  bool done = png_image_write_to_memory(&png, *bytes, &size, 0, image->pixels, 0, NULL);
+  *count = size;
+  return done;
+}
+
+lam_status lam_image_write(const char *path, const lam_image *image, lam_errors *errors) {
+  uint8_t *bytes;
+  size_t size;
+  if (!lam_image_encode(errors->arena, image, &bytes, &size)) {
+    lam_error_add(errors, (lam_place){.file = path}, NULL, "cannot be written: libpng failed");
     return LAM_FAILED;
   }
   return lam_file_write_atomic(path, bytes, size, errors);

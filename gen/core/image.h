@@ -3,6 +3,7 @@
 #define LAM_CORE_IMAGE_H
 
 #include "core/error.h"
+#include <stdbool.h>
 #include <stdint.h>
 
 /* 8-bit sRGB, rows from the top, width * height * 3 bytes. */
@@ -17,6 +18,8 @@ lam_image lam_image_new(lam_arena *arena, int width, int height);
 lam_status lam_image_read(lam_arena *arena, const char *path, lam_errors *errors, lam_image *image);
 /* Writes an RGB8 PNG file: the same pixels give the same bytes (with the same libpng). */
 lam_status lam_image_write(const char *path, const lam_image *image, lam_errors *errors);
+/* The bytes of that file, in the arena. false: libpng failed. */
+bool lam_image_encode(lam_arena *arena, const lam_image *image, uint8_t **bytes, size_t *count);
 
 /* FNV-1a, 64 bits (offset basis cbf29ce484222325, prime 100000001b3), over width and height (each as 4 bytes, little
  * end first) and the pixels: equal for files that decode to the same picture. */

@@ -30,7 +30,15 @@ typedef struct lam_polyline {
   int *vertices;
 } lam_polyline;
 
-/* ---- smooth surfaces ---- */
+/* ---- smooth curves and surfaces ---- */
+/* A spline curve x(t) = sum N_i(t) w_i P_i / sum N_i(t) w_i. */
+typedef struct lam_spline_curve {
+  int degree, count;
+  const double *knots;    /* count + degree + 1 numbers that do not decrease */
+  const lam_vec3 *points; /* count; meters, not multiplied by weights */
+  const double *weights;  /* count, positive; NULL: all 1, a polynomial curve */
+} lam_spline_curve;
+
 /* A tensor-product spline surface x(u,v) = sum N_i(u) N_j(v) w_ij P_ij / sum N_i(u) N_j(v) w_ij. */
 typedef struct lam_spline_surface {
   const char *name; /* unique and file-name safe; NULL outside a model */
@@ -123,6 +131,7 @@ typedef struct lam_part {
   int group;        /* which physical element it belongs to (the two sheets of a pair share it); -1 when none */
   int congruence;   /* parts with the same number are copies of each other; counts from 1; 0 when not known */
   const lam_material *material;
+  bool drawn;         /* to be looked at, not made: it may pass through other parts, and has no flat pattern */
   lam_trimesh solid;  /* closed and oriented */
   int instance_count; /* 0: the solid stands where it is; n: it is placed by frames (and not where it is) */
   lam_frame *instances;
@@ -203,6 +212,23 @@ typedef struct lam_map {
   const lam_vec3 *normals; /* unit normals of the net's vertices */
 } lam_map;
 
+/* ---- prints ---- */
+/* A surface with a place of the picture at every vertex. */
+typedef struct lam_printed {
+  const char *name; /* unique */
+  lam_trimesh mesh;
+  const lam_vec2 *places;           /* 0 to 1 from the picture's lower left corner, per vertex */
+  double max_stretch, mean_stretch; /* ratio of singular values of the map from the picture to the surface, >= 1 */
+} lam_printed;
+
+/* A picture and the surfaces it is printed on. */
+typedef struct lam_print {
+  int width, height;
+  const unsigned char *pixels; /* sRGB, 3 bytes each, rows from the top */
+  int count;
+  const lam_printed *sheets;
+} lam_print;
+
 /* ---- the picture ---- */
 typedef struct lam_picture {
   const char *setting; /* a file of templates/pov without its ending */
@@ -233,6 +259,7 @@ typedef struct lam_model {
   const lam_report *report;
   int map_count; /* of the net; none without a net */
   const lam_map *maps;
+  const lam_print *print; /* what is shown instead of the net; NULL: nothing */
   lam_picture picture;
 } lam_model;
 

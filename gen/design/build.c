@@ -10,6 +10,7 @@
 #include "net/start.h"
 #include "net/trace.h"
 #include "surf/place.h"
+#include "surf/texture.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,7 +31,7 @@ typedef struct pipeline {
   lam_vec3 *normals;
   lam_siting placed; /* of the surface */
   int stage_count;
-  lam_stage stages[3]; /* surface, net, sheets; parts bring their own */
+  lam_stage stages[4]; /* surface, net, texture, sheets; parts bring their own */
   double since;
 } pipeline;
 
@@ -223,6 +224,22 @@ static bool make_net(pipeline *p) {
 
 /* ---- the surface ---- */
 
+static bool make_surface(pipeline *p) {
+  const lam_row *row = &p->design->surface;
+  const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
+  int before = p->errors->count;
+  if (!kind) return true;
+  if (kind->reads_file && p->loader && p->loader->surface) {
+    lam_surface_source *source = row->params;
+    lam_spline_surface *surface = LAM_NEW(p->arena, lam_spline_surface, 1);
+    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface))
+      return false;
+    source->surface = surface;
+  }
+  p->surface = lam_surface_make(p->arena, row, p->errors);
+  return p->errors->count == before;
+}
+
 static void report_surface(pipeline *p) {
   const lam_surface_kind *kind = p->surface.kind;
   if (!kind || !kind->report) return;
@@ -242,6 +259,30 @@ static void keep_spline(pipeline *p, lam_workshop *workshop) {
   to.points = points;
   to.name = "surface";
   lam_workshop_surface(workshop, to);
+}
+
+/* ---- prints ---- */
+
+static bool make_print(pipeline *p, const lam_workshop *workshop) {
+  const lam_texture_keys *keys = &p->design->texture;
+  if (!p->design->has_texture) return true;
+  if (!workshop->surface_count) {
+    lam_error_add(p->errors, (lam_place){.file = p->design->path}, "texture",
+                  "there is no spline surface to print on; expected a surface such as developable, bezier or nurbs");
+    return false;
+  }
+  lam_stage *stage = begin_stage(p, "texture");
+  lam_print *print =
+      lam_print_make(p->arena, workshop->surfaces, (lam_motif)keys->motif, (lam_print_layout)keys->layout, keys->cells);
+  for (int i = 0; i < print->count; i++) {
+    const lam_printed *sheet = &print->sheets[i];
+    if (strchr(sheet->name, '-')) continue; /* the same print, laid flat */
+    lam_stage_measure(p->arena, stage, lam_arena_printf(p->arena, "stretch_%s", sheet->name), "", sheet->max_stretch,
+                      sheet->mean_stretch, sheet->mesh.triangle_count);
+  }
+  p->model->print = print;
+  end_stage(p, stage);
+  return true;
 }
 
 /* ---- color maps ---- */
@@ -343,19 +384,17 @@ bool lam_report_converged(const lam_report *report) {
 
 bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_loader *loader,
                       const lam_progress *progress, lam_errors *errors, lam_model *model) {
-  int before = errors->count;
   *model = (lam_model){.name = design->name, .title = design->title, .source = design->source, .version = LAM_VERSION};
   pipeline p = {
       .arena = arena, .design = design, .loader = loader, .progress = progress, .errors = errors, .model = model};
-  if (design->surface.head) p.surface = lam_surface_make(arena, &design->surface, errors);
-  if (errors->count > before) return false;
+  if (!make_surface(&p)) return false;
   report_surface(&p);
   if (!make_net(&p) || !make_maps(&p)) return false;
   lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
   *workshop =
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
   keep_spline(&p, workshop);
-  if (!make_parts(&p, workshop)) return false;
+  if (!make_print(&p, workshop) || !make_parts(&p, workshop)) return false;
   model->surface_count = workshop->surface_count;
   model->surfaces = workshop->surfaces;
   model->part_count = workshop->part_count;

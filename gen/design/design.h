@@ -19,6 +19,10 @@ typedef struct lam_sheet_keys {
   double kerf, margin, spacing; /* meters */
 } lam_sheet_keys;
 
+typedef struct lam_texture_keys {
+  int motif, layout, cells; /* lam_motif, lam_print_layout (surf/texture.h) */
+} lam_texture_keys;
+
 typedef struct lam_design {
   int language;
   const char *name;            /* letters, digits, - and _ */
@@ -29,6 +33,8 @@ typedef struct lam_design {
   lam_list parts;              /* of lam_row, no common keys */
   lam_list plots;              /* of const char *: measures to be drawn as color maps */
   bool has_render, has_sheets; /* whether the design gives them; they hold the defaults otherwise */
+  bool has_texture;
+  lam_texture_keys texture; /* meaningful when has_texture */
   lam_render_keys render;
   lam_sheet_keys sheets;
   const char *path; /* of the file, as given; NULL when parsed from memory without a name */

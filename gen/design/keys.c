@@ -4,6 +4,7 @@
 #include "net/kind.h"
 #include "surf/place.h"
 #include "surf/surface.h"
+#include "surf/texture.h"
 
 #define IN_DESIGN(member) offsetof(lam_design, member)
 #define IN_RENDER(member) offsetof(lam_render_keys, member)
@@ -91,6 +92,34 @@ static const lam_key sheet_keys[] = {
     {.name = NULL},
 };
 
+#define IN_TEXTURE(member) offsetof(lam_texture_keys, member)
+static const lam_key texture_keys[] = {
+    {.name = "motif",
+     .type = LAM_KEY_CHOICE,
+     .offset = IN_TEXTURE(motif),
+     .count = 1,
+     .initial = "letter",
+     .choices = lam_motif_names,
+     .doc = "What is printed: the letter B on squared paper, or a checkerboard."},
+    {.name = "layout",
+     .type = LAM_KEY_CHOICE,
+     .offset = IN_TEXTURE(layout),
+     .count = 1,
+     .initial = "flattening",
+     .choices = lam_print_layout_names,
+     .doc = "How the picture comes onto the surface: through the flattened surface, through the parameter lines, or "
+            "both side by side with the prints laid flat in front of them."},
+    {.name = "cells",
+     .type = LAM_KEY_INTEGER,
+     .offset = IN_TEXTURE(cells),
+     .count = 1,
+     .initial = "40",
+     .min = 2,
+     .max = 200,
+     .doc = "Cells in each direction of the grid that carries the print."},
+    {.name = NULL},
+};
+
 const lam_key lam_design_keys[] = {
     {.name = "lamella",
      .type = LAM_KEY_CHOICE,
@@ -146,6 +175,15 @@ const lam_key lam_design_keys[] = {
      .count = 0,
      .initial = "[]",
      .doc = "Measures of the net that are drawn as color maps, into plots/: names of `lamella list measures`."},
+    {.name = "texture",
+     .type = LAM_KEY_MAP,
+     .offset = IN_DESIGN(texture),
+     .count = 1,
+     .initial = "{}",
+     .keys = texture_keys,
+     .size = sizeof(lam_texture_keys),
+     .given_offset = IN_DESIGN(has_texture),
+     .doc = "A picture printed on the surface, shown instead of the net; for surfaces that are splines."},
     {.name = "render",
      .type = LAM_KEY_MAP,
      .offset = IN_DESIGN(render),

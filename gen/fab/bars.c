@@ -229,6 +229,7 @@ static void report(bar_set *set, int first) {
   lam_stage_measure(shop->arena, stage, "distinct_lengths", "", distinct, distinct, set->count);
   lam_stage_measure(shop->arena, stage, "unsound_bars", "", (double)unsound, (double)unsound / n, set->count);
   stage->converged = unsound == 0;
+  if (!stage->converged) stage->reason = "solids that are not sound";
   lam_stage_note(shop->arena, stage, "bars from node to node are %.4g m to %.4g m long", shortest, longest);
   if (set->skipped) lam_stage_note(shop->arena, stage, "%ld edges are too short for a bar", set->skipped);
 }

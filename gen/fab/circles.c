@@ -1,6 +1,7 @@
 /* The row `circles`: rings on the circles of the faces, and balls at the vertices. */
 #include "core/mesh.h"
 #include "fab/path.h"
+#include "fab/turned.h"
 #include "fab/workshop.h"
 #include "net/tangential.h"
 
@@ -11,12 +12,12 @@ static const double pi = 3.14159265358979323846;
 enum { CIRCLES_IN, CIRCLES_AROUND, CIRCLES_NONE };
 static const char *const circle_names[] = {"incircles", "circumcircles", "none", NULL};
 
-enum { corners = 48, bands = 16 }; /* of a circle, and of a ball from pole to pole */
+enum { corners = lam_turned_corners }; /* of a ring */
 
 typedef struct circles_keys {
   double width, thickness, gap;
   int circles, material;
-  bool spheres;
+  bool spheres, drawn;
 } circles_keys;
 
 typedef struct circle {
@@ -24,50 +25,7 @@ typedef struct circle {
   double radius;
 } circle;
 
-/* ---- solids ---- */
-
-/* Turns a section (radius, height), counterclockwise with the radius to the right and the height up, about the z axis.
- * closed: the last point is joined to the first; otherwise both lie on the axis. Points of the surface are corners of
- * the solid, which therefore lies inside. */
-static lam_trimesh turned(lam_arena *arena, const lam_vec2 *section, int count, bool closed) {
-  int inner = closed ? count : count - 2, poles = closed ? 0 : 2, first = closed ? 0 : 1;
-  lam_trimesh mesh = {inner * corners + poles, LAM_NEW(arena, lam_vec3, inner * corners + poles), 0, NULL};
-  mesh.triangles = (int(*)[3])lam_arena_alloc(arena, (size_t)(2 * corners * count), sizeof *mesh.triangles);
-  for (int r = 0; r < inner; r++)
-    for (int k = 0; k < corners; k++) {
-      double angle = 2 * pi * k / corners;
-      lam_vec2 p = section[first + r];
-      mesh.vertices[r * corners + k] = lam_v3(p.x * cos(angle), p.x * sin(angle), p.y);
-    }
-  for (int r = 0; r < (closed ? inner : inner - 1); r++)
-    for (int k = 0; k < corners; k++) {
-      int next = (k + 1) % corners, up = (r + 1) % inner * corners, at = r * corners;
-      memcpy(mesh.triangles[mesh.triangle_count++], (int[3]){at + k, at + next, up + next}, sizeof(int[3]));
-      memcpy(mesh.triangles[mesh.triangle_count++], (int[3]){at + k, up + next, up + k}, sizeof(int[3]));
-    }
-  if (closed) return mesh;
-  int low = inner * corners, high = low + 1, top = (inner - 1) * corners;
-  mesh.vertices[low] = lam_v3(0, 0, section[0].y);
-  mesh.vertices[high] = lam_v3(0, 0, section[count - 1].y);
-  for (int k = 0; k < corners; k++) {
-    int next = (k + 1) % corners;
-    memcpy(mesh.triangles[mesh.triangle_count++], (int[3]){low, next, k}, sizeof(int[3]));
-    memcpy(mesh.triangles[mesh.triangle_count++], (int[3]){high, top + k, top + next}, sizeof(int[3]));
-  }
-  return mesh;
-}
-
-static lam_trimesh ring_solid(lam_arena *arena, double inner, double outer, double thickness) {
-  const double half = thickness / 2;
-  const lam_vec2 section[4] = {{inner, -half}, {outer, -half}, {outer, half}, {inner, half}};
-  return turned(arena, section, 4, true);
-}
-
-static lam_trimesh ball_solid(lam_arena *arena, double radius) {
-  lam_vec2 section[bands + 1];
-  for (int i = 0; i <= bands; i++) section[i] = lam_v2(radius * sin(pi * i / bands), -radius * cos(pi * i / bands));
-  return turned(arena, section, bands + 1, false);
-}
+/* ---- flat patterns ---- */
 
 static lam_flat *ring_flat(lam_arena *arena, double inner, double outer, double thickness) {
   lam_flat *flat = LAM_NEW(arena, lam_flat, 1);
@@ -135,10 +93,20 @@ typedef struct summary {
   double largest, sum;
 } summary;
 
+/* How many kinds of rings or balls earlier rows of the design made. */
+static int kinds_before(const lam_workshop *shop, const char *noun) {
+  int count = 0;
+  for (int i = 0; i < shop->part_count; i++)
+    count += strcmp(shop->parts[i].kind, "circles") == 0 && strncmp(shop->parts[i].name, noun, strlen(noun)) == 0;
+  return count;
+}
+
 /* One part for all circles of one radius (to a millionth of it), as many instances as there are. */
 static summary add_parts(lam_workshop *shop, const circles_keys *k, const circle *circles, int count, bool balls) {
   static const double same = 1e-6;
   summary s = {0};
+  const char *noun = balls ? "ball" : "ring";
+  int before = kinds_before(shop, noun);
   bool *done = LAM_NEW(shop->arena, bool, count);
   for (int i = 0; i < count; i++) {
     double outer = circles[i].radius - k->gap / 2, inner = outer - k->width;
@@ -148,7 +116,8 @@ static summary add_parts(lam_workshop *shop, const circles_keys *k, const circle
       continue;
     }
     lam_part part = {.kind = "circles", .family = -1, .group = -1, .congruence = lam_workshop_next_class(shop)};
-    part.name = lam_arena_printf(shop->arena, "%s-%03ld", balls ? "ball" : "ring", ++s.kinds);
+    part.name = lam_arena_printf(shop->arena, "%s-%03ld", noun, before + ++s.kinds);
+    part.drawn = k->drawn;
     part.material = &lam_materials[k->material];
     part.instances = LAM_NEW(shop->arena, lam_frame, count - i);
     for (int j = i; j < count; j++)
@@ -156,8 +125,8 @@ static summary add_parts(lam_workshop *shop, const circles_keys *k, const circle
         done[j] = true;
         part.instances[part.instance_count++] = circles[j].frame;
       }
-    part.solid = balls ? ball_solid(shop->arena, outer) : ring_solid(shop->arena, inner, outer, k->thickness);
-    if (!balls) part.flat = ring_flat(shop->arena, inner, outer, k->thickness);
+    part.solid = balls ? lam_ball(shop->arena, outer) : lam_ring(shop->arena, inner, outer, k->thickness);
+    if (!balls && !k->drawn) part.flat = ring_flat(shop->arena, inner, outer, k->thickness);
     part.mass = lam_trimesh_volume(&part.solid) * part.material->density;
     const lam_fact facts[] = {{"diameter", "m", 2 * outer}, {"mass", "kg", part.mass}};
     lam_part_set_facts(shop->arena, &part, facts, 2);
@@ -199,6 +168,7 @@ static void make(lam_workshop *shop, const void *params, lam_place place) {
   double unsound = (double)(rings.unsound + balls.unsound);
   lam_stage_measure(shop->arena, stage, "unsound_parts", "", unsound, unsound, rings.kinds + balls.kinds);
   stage->converged = unsound == 0;
+  if (!stage->converged) stage->reason = "solids that are not sound";
 }
 
 #define LENGTH(key, field, text, least, most, sentence)                                                                \
@@ -222,6 +192,14 @@ static const lam_key keys[] = {
      .count = 1,
      .initial = "no",
      .doc = "Balls at the vertices, as large as the incircles allow: on an S-isothermic net neighbors touch."},
+    {.name = "drawn",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(circles_keys, drawn),
+     .count = 1,
+     .initial = "no",
+     .doc =
+         "Only to be looked at: they may pass through each other and through other parts, the clash check leaves them "
+         "out, and rings have no flat pattern."},
     LENGTH("width", width, "20 mm", 1e-5, 10, "Width of the rings, inward from the circle."),
     LENGTH("thickness", thickness, "10 mm", 1e-5, 1, "Thickness of the rings, half of it on either side of the face."),
     LENGTH("gap", gap, "2 mm", 0, 1,
@@ -244,8 +222,8 @@ const lam_part_kind lam_part_circles = {
              "vertices: a packing of rings or balls that follows the surface. Rings are flat and have a flat pattern. "
              "All circles of one radius are one part with many instances. Rings on incircles and balls pass through "
              "each "
-             "other, and so do circumcircles of neighboring faces, which share two vertices: the clash check "
-             "counts them, and such a model is for pictures only.",
+             "other, and so do circumcircles of neighboring faces, which share two vertices: `drawn` makes them for "
+             "pictures, without a clash.",
          .source = "thesis 3.5.1 and 3.5.3, figures 3.44 and 3.50",
          .keys = keys,
          .params_size = sizeof(circles_keys)},

@@ -227,6 +227,7 @@ static int add_solids(lam_workshop *shop, lam_solid_set *set, int *part_of) {
   int count = 0;
   for (int i = 0; i < shop->part_count; i++) {
     const lam_part *part = &shop->parts[i];
+    if (part->drawn) continue;
     for (int k = 0; k < (part->instance_count ? part->instance_count : 1); k++) {
       int index = lam_solid_set_add(set, &part->solid, part->instance_count ? &part->instances[k] : NULL);
       if (index < 0) return -1;
@@ -273,7 +274,9 @@ static clash measure_clash(lam_workshop *shop) {
 }
 
 void lam_workshop_clash(lam_workshop *shop) {
-  if (!shop->part_count) return;
+  int drawn = 0;
+  for (int i = 0; i < shop->part_count; i++) drawn += shop->parts[i].drawn;
+  if (drawn == shop->part_count) return;
   lam_arena_mark mark = lam_arena_mark_get(shop->arena);
   clash c = measure_clash(shop);
   lam_arena_release(shop->arena, mark);
@@ -289,6 +292,7 @@ void lam_workshop_clash(lam_workshop *shop) {
   lam_stage_measure(shop->arena, stage, "clash_volume_sum", "m3", c.sum, c.sum, c.pairs);
   measure_number(shop, stage, "clash_count", c.count, c.pairs);
   measure_number(shop, stage, "pairs_checked", c.pairs, c.pairs);
+  if (drawn) lam_stage_note(shop->arena, stage, "%d parts are drawn only and were left out", drawn);
   if (c.count)
     lam_stage_note(shop->arena, stage, "%ld pairs of parts overlap, most of all %s and %s (%.3g mm3)", c.count,
                    names[0], names[1], c.max * 1e9);

@@ -158,6 +158,7 @@ static void report(lam_workshop *shop, const panel_set *set, int first, int clas
   lam_stage_measure(shop->arena, stage, "distinct_panels", "", classes, classes, set->count - twisted);
   lam_stage_measure(shop->arena, stage, "unsound_panels", "", unsound.sum, unsound.sum / n, set->count);
   stage->converged = unsound.sum == 0;
+  if (!stage->converged) stage->reason = "solids that are not sound";
   if (twisted)
     lam_stage_note(shop->arena, stage,
                    "%ld of %d panels are twisted: their diagonals pass at up to %.3g mm; they have no flat pattern",

@@ -1,7 +1,19 @@
 /* The list of parts. To add one: write its file, and add its line here. */
 #include "fab/workshop.h"
 
-#define PARTS(row) row(lamella) row(node_connector) row(panels) row(bars) row(support) row(circles) row(skin) row(frames)
+/* clang-format off */
+#define PARTS(row) \
+  row(lamella) \
+  row(node_connector) \
+  row(panels) \
+  row(bars) \
+  row(support) \
+  row(circles) \
+  row(gauss_image) \
+  row(flat_pattern) \
+  row(skin) \
+  row(frames)
+/* clang-format on */
 
 #define DECLARE(name) extern const lam_part_kind lam_part_##name;
 PARTS(DECLARE)

@@ -180,6 +180,7 @@ static void report(const support_set *set, int first, int classes) {
   lam_stage_measure(shop->arena, stage, "distinct_supports", "", classes, classes, set->count);
   lam_stage_measure(shop->arena, stage, "unsound_supports", "", (double)unsound, (double)unsound / n, set->count);
   stage->converged = unsound == 0;
+  if (!stage->converged) stage->reason = "solids that are not sound";
   lam_stage_note(shop->arena, stage, "beams stand along %s",
                  set->axes ? "the axes of cones: a constant distance between the faces of both layers"
                            : "mirrored normals: a constant distance between the nodes of both layers");

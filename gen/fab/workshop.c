@@ -66,7 +66,7 @@ bool lam_part_is_sound(lam_arena *arena, const lam_part *part) {
 lam_stage *lam_workshop_stage(lam_workshop *w, const char *name) {
   w->stages = room(w->arena, w->stages, w->stage_count, &w->stage_capacity, sizeof *w->stages);
   lam_stage *stage = &w->stages[w->stage_count++];
-  *stage = (lam_stage){.name = name, .converged = true, .iterations = -1};
+  *stage = (lam_stage){.name = name, .converged = true, .reason = "done", .iterations = -1};
   return stage;
 }
 

@@ -9,7 +9,7 @@
 static const double lambda_start = 1e-3, lambda_min = 1e-7, lambda_max = 1e8;
 static const double mu_min = 1e-12, mu_max = 1e6;
 static const double shrink = .2, grow = 8;
-enum { max_rejections = 12, stall_window = 12 };
+enum { max_rejections = 12, stall_window = 30 };
 
 /* One damped step that lowers the energy. Returns the length of the longest move of an unknown, or a negative number
  * when no step was found. */

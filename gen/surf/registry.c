@@ -6,6 +6,8 @@
   row(bezier) \
   row(bspline) \
   row(nurbs) \
+  row(file) \
+  row(least_area) \
   row(monge) \
   row(revolution) \
   row(molding) \
@@ -21,7 +23,10 @@
   row(sphere) \
   row(ellipsoid) \
   row(torus) \
-  row(asymptotic_quad)
+  row(asymptotic_quad) \
+  row(developable) \
+  row(coons) \
+  row(interpolation)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_surface_kind lam_surface_##name;

@@ -30,8 +30,17 @@ extern const char *const lam_chart_names[]; /* NULL-terminated */
 
 typedef struct lam_surface lam_surface;
 
+/* What a surface that stands in a file is parsed into: the design names the file, and who reads files puts the surface
+ * in before it is made. */
+typedef struct lam_surface_source {
+  const char *file;
+  int face;                          /* which of the file's surfaces, from 1 */
+  const lam_spline_surface *surface; /* NULL: not read; its numbers need not be sound */
+} lam_surface_source;
+
 typedef struct lam_surface_kind {
   lam_row_head head;
+  bool reads_file; /* its parameters are a lam_surface_source */
   /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance data". Adds to
    * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL.
    */

@@ -50,6 +50,10 @@ static inline lam_surface make(lam_fixture *f, const char *name, const char *tex
   if (!*text) text = "{}";
   if (head->keys && !lam_keys_parse(f->arena, head->keys, text, strlen(text), NULL, &f->errors, row.params))
     return (lam_surface){0};
+  if (((const lam_surface_kind *)head)->reads_file) { /* stands for any that was read */
+    lam_surface read = make(f, "bspline", "");
+    ((lam_surface_source *)row.params)->surface = read.kind->spline(read.data);
+  }
   return lam_surface_make(f->arena, &row, &f->errors);
 }
 

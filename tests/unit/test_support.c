@@ -1,4 +1,5 @@
-/* Beams between a net and its offset, and rings and balls on the circles of a net: sizes in closed form, no overlap. */
+/* Beams between a net and its offset, rings and balls on the circles of a net, its Gauss image: sizes in closed form,
+ * no overlap. */
 #include "fab_fixture.h"
 
 #include "core/solid.h"
@@ -146,6 +147,61 @@ static void rings_that_touch_do_not_overlap(void **state) {
   assert_int_equal(shop.errors->count, 2);
 }
 
+/* Circumcircles of unit squares cross: a clash when they are made, none when they are drawn; names go on counting. */
+static void drawn_rings_may_cross(void **state) {
+  lam_arena *arena = fixture_arena(state);
+  lam_mesh mesh = fixture_grid(arena, 3, 3, plane);
+  lam_workshop shop = fixture_workshop(arena, &mesh);
+  make(&shop, "circles", "{circles: circumcircles, gap: 0, drawn: yes}");
+  assert_null(shop.parts[0].flat);
+  lam_workshop_clash(&shop);
+  assert_int_equal(shop.stage_count, 1); /* nothing to check */
+  make(&shop, "circles", "{circles: circumcircles, gap: 0}");
+  assert_string_equal(shop.parts[0].name, "ring-001");
+  assert_string_equal(shop.parts[1].name, "ring-002");
+  lam_workshop_clash(&shop);
+  assert_true(fixture_measure(&shop, "clash", "clash_count")->max > 0);
+  assert_near(fixture_measure(&shop, "clash", "pairs_checked")->max, 6, 0); /* of the four rings that are made */
+}
+
+/* Two frustums of n-sided pyramids, one on the other: the normals of either lie on a circle of latitude of the sphere,
+ * and the image is a belt of n trapezoids between both circles. */
+static void gauss_image_of_a_faceted_vase(void **state) {
+  lam_arena *arena = fixture_arena(state);
+  enum { n = 12 };
+  static const double radius[3] = {1, 2, 2.5};
+  lam_mesh mesh = lam_mesh_grid(arena, n, 3, true, false);
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < 3; j++)
+      mesh.vertices[3 * i + j] = lam_v3(radius[j] * cos(2 * pi * i / n), radius[j] * sin(2 * pi * i / n), j);
+  lam_workshop shop = fixture_workshop(arena, &mesh);
+  make(&shop, "gauss-image", "{radius: 2 m, at: [0, 0, 5 m], ball: yes}");
+  assert_int_equal(shop.errors->count, 0);
+  assert_int_equal(shop.net->mesh.vertex_count, 2 * n);
+  assert_int_equal(shop.net->mesh.face_count, n);
+  assert_true(fixture_measure(&shop, "gauss-image", "circularity")->max < 1e-12);
+  assert_true(shop.part_count == 1 && shop.parts[0].drawn);
+  /* the slope of a face: its rise is 1 for (r1 - r0) cos(pi / n) of run; outward normals point down by that angle */
+  for (int v = 0; v < 2 * n; v++) {
+    lam_vec3 x = shop.net->mesh.vertices[v];
+    double low = -2 * sin(atan(1. * cos(pi / n))), high = -2 * sin(atan(.5 * cos(pi / n))), z = x.z - 5;
+    assert_near(lam_length(lam_v3(x.x, x.y, z)), 2, 1e-14);
+    assert_near(fmin(fabs(z - low), fabs(z - high)), 0, 1e-13);
+    assert_near(lam_length(shop.normals[v]), 1, 1e-14);
+  }
+  make(&shop, "panels", "{gap: 1 mm}"); /* on the image from now on */
+  assert_int_equal(shop.part_count, 1 + n);
+}
+
+static void gauss_image_needs_inner_vertices(void **state) {
+  lam_arena *arena = fixture_arena(state);
+  lam_mesh mesh = fixture_grid(arena, 2, 4, plane);
+  lam_workshop shop = fixture_workshop(arena, &mesh);
+  make(&shop, "gauss-image", "{}");
+  assert_int_equal(shop.errors->count, 1);
+  assert_non_null(strstr(shop.errors->first->text, "no inner vertex"));
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test_setup_teardown(beams_on_a_prism, fixture_setup, fixture_teardown),
@@ -153,6 +209,9 @@ int main(void) {
       cmocka_unit_test_setup_teardown(other_nets_are_refused, fixture_setup, fixture_teardown),
       cmocka_unit_test_setup_teardown(rings_and_balls_on_squares, fixture_setup, fixture_teardown),
       cmocka_unit_test_setup_teardown(rings_that_touch_do_not_overlap, fixture_setup, fixture_teardown),
+      cmocka_unit_test_setup_teardown(drawn_rings_may_cross, fixture_setup, fixture_teardown),
+      cmocka_unit_test_setup_teardown(gauss_image_of_a_faceted_vase, fixture_setup, fixture_teardown),
+      cmocka_unit_test_setup_teardown(gauss_image_needs_inner_vertices, fixture_setup, fixture_teardown),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -40,7 +40,8 @@ static void check_all_derivatives(lam_fixture *f, const lam_surface *s) {
 static void test_derivatives(void **state) {
   lam_fixture *f = *state;
   for (int i = 0; i < lam_surfaces.count; i++) {
-    lam_surface s = made(f, lam_surfaces.rows[i]->name, "");
+    const char *name = lam_surfaces.rows[i]->name; /* differences across a knot see the jump of third derivatives */
+    lam_surface s = made(f, name, strcmp(name, "least-area") == 0 ? "spans: 1" : "");
     check_all_derivatives(f, &s);
   }
 }

@@ -1,0 +1,12 @@
+/* Reading IGES; for iges.c. */
+#ifndef LAM_FORMATS_IGES_H
+#define LAM_FORMATS_IGES_H
+
+#include "formats/format.h"
+
+/* The rational B-spline surfaces (entity 128) of an IGES file in the order of its directory, in meters, moved by their
+ * transformation matrices (entity 124), without trimming. At least one, or an error. */
+bool lam_iges_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                   lam_spline_list *surfaces);
+
+#endif

@@ -1,0 +1,44 @@
+/* Spline surfaces as exchange formats want them: with clamped knots, so that their sides are the curves of the first
+ * and last rows and columns of control points. */
+#ifndef LAM_FORMATS_SPLINE_H
+#define LAM_FORMATS_SPLINE_H
+
+#include "core/arena.h"
+#include "core/model.h"
+
+/* The same surface over the same domain with degree + 1 equal knots at each end in both directions; the surface itself
+ * when it is so already. Preconditions: sound knots, positive weights. What is new is owned by the arena. */
+lam_spline_surface lam_spline_clamped(lam_arena *arena, const lam_spline_surface *surface);
+
+/* A side of a clamped surface: a row or column of its control net. */
+typedef struct lam_spline_side {
+  int degree, count;
+  int first, stride;      /* of its points among the surface's */
+  const double *knots;    /* count + degree + 1 */
+  const lam_vec3 *points; /* of the surface */
+  const double *weights;  /* of the surface; NULL: all 1 */
+} lam_spline_side;
+
+/* Side k of the counterclockwise boundary: v = 0, u = 1, v = 1, u = 0 (in parameters from 0 to 1). Its curve runs with
+ * its parameter: sides 2 and 3 run against the boundary. */
+lam_spline_side lam_spline_side_of(const lam_spline_surface *surface, int k);
+/* Whether places are the same to the precision of the files: a nanometer. */
+bool lam_spline_meet(lam_vec3 a, lam_vec3 b);
+/* Whether the side is only a point (the pole of a sphere). */
+bool lam_spline_side_is_point(const lam_spline_side *side);
+/* Whether opposite sides are one curve (the surface closes up). Precondition: of the same direction. */
+bool lam_spline_sides_meet(const lam_spline_side *a, const lam_spline_side *b);
+
+/* A list of spline surfaces that were read. */
+typedef struct lam_spline_list {
+  int count, capacity;
+  lam_spline_surface *items;
+} lam_spline_list;
+
+/* Appends a surface; its arrays are kept by pointer. */
+void lam_spline_append(lam_arena *arena, lam_spline_list *list, const lam_spline_surface *surface);
+/* What makes numbers that were read unfit to be a surface, for a message; NULL when they are fit: degrees of 1 or more,
+ * more points than the degree, knots that do not decrease, finite points, positive weights. */
+const char *lam_spline_problem(const lam_spline_surface *surface);
+
+#endif

@@ -1,0 +1,12 @@
+/* Reading STEP; for step.c. */
+#ifndef LAM_FORMATS_STEP_H
+#define LAM_FORMATS_STEP_H
+
+#include "formats/format.h"
+
+/* The B-spline surfaces of a STEP file in the order of their numbers, rational or not, in meters, without trimming and
+ * without the placement of components. At least one, or an error. */
+bool lam_step_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                   lam_spline_list *surfaces);
+
+#endif

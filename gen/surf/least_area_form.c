@@ -1,0 +1,223 @@
+/* The area as a function of the control points.
+ *
+ * With E, F, G, a = |x_u x x_v| = sqrt(EG - F^2), n = x_u x x_v / a and a variation with p = dx_u, q = dx_v:
+ *   a'  = p.(x_v x n) + q.(n x x_u) = (p.(G x_u - F x_v) + q.(E x_v - F x_u)) / a,
+ *   a'' = (G (p.n)^2 - 2 F (p.n)(q.n) + E (q.n)^2) / a + 2 n.(p x q).
+ * For functions f and g of two control points this is the 3 x 3 block s n n^T + t [n], with
+ *   s = (G f_u g_u - F (f_u g_v + f_v g_u) + E f_v g_v) / a,   t = f_u g_v - f_v g_u,   [n]_cd = n.(e_c x e_d),
+ * and s alone is the block of I/2 (Wu & Wang, step 5), M. Constant mean curvature H: the volume
+ * V = 1/3 integral x.(x_u x x_v) is added 2 H times; V' = integral dx.(x_u x x_v), and its second variation adds
+ * 1/2 (f g_u - g f_u) [x_v] - 1/2 (f g_v - g f_v) [x_u]. */
+#include "core/quadrature.h"
+#include "curve/basis.h"
+#include "surf/least_area_parts.h"
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+lam_area_rule lam_area_rule_make(lam_arena *arena, const lam_spline_surface *surface, int d, int places) {
+  int p = surface->degree[d], count = surface->count[d], spans = 0;
+  const double *knots = surface->knots[d];
+  for (int i = p; i < count; i++) spans += knots[i + 1] > knots[i];
+  int *first = LAM_NEW(arena, int, spans);
+  double *weights = LAM_NEW(arena, double, spans *places),
+         *values = LAM_NEW(arena, double, spans *places * 2 * (p + 1)), *at = LAM_NEW(arena, double, places),
+         *w = LAM_NEW(arena, double, places);
+  lam_gauss_rule(places, at, w);
+  for (int i = p, s = 0; i < count; i++) {
+    double width = knots[i + 1] - knots[i];
+    if (!(width > 0)) continue;
+    first[s] = i - p;
+    for (int k = 0; k < places; k++) {
+      weights[s * places + k] = width * w[k];
+      lam_basis_eval(p, knots, i, knots[i] + width * at[k], 1, values + (s * places + k) * 2 * (p + 1));
+    }
+    s++;
+  }
+  return (lam_area_rule){p, spans, places, first, weights, values};
+}
+
+int lam_area_places(const lam_spline_surface *surface, int along) {
+  int degree = surface->degree[0] > surface->degree[1] ? surface->degree[0] : surface->degree[1], spans = INT_MAX;
+  for (int d = 0; d < 2; d++) {
+    int count = 0;
+    for (int i = surface->degree[d]; i < surface->count[d]; i++)
+      count += surface->knots[d][i + 1] > surface->knots[d][i];
+    if (count < spans) spans = count;
+  }
+  int few = (along + spans - 1) / spans;
+  return degree + 3 > few ? degree + 3 : few;
+}
+
+lam_area_form *lam_area_form_make(lam_arena *arena, const lam_spline_surface *surface, double mean_curvature,
+                                  int places) {
+  lam_area_form *form = LAM_NEW(arena, lam_area_form, 1);
+  form->surface = *surface;
+  form->mean_curvature = mean_curvature;
+  for (int d = 0; d < 2; d++) {
+    form->rule[d] = lam_area_rule_make(arena, surface, d, places);
+    form->inner[d] = surface->count[d] - 2;
+  }
+  form->local = (surface->degree[0] + 1) * (surface->degree[1] + 1);
+  form->window = (surface->degree[0] + 1) * (2 * surface->degree[1] + 1);
+  int total = form->inner[0] * form->inner[1];
+  form->blocks = LAM_NEW(arena, double, (size_t)total * form->window * LAM_AREA_TERMS);
+  form->element = LAM_NEW(arena, double, form->local *(form->local + 1) / 2 * LAM_AREA_TERMS);
+  form->gradient = LAM_NEW(arena, lam_vec3, total);
+  return form;
+}
+
+void lam_area_visit(const lam_area_form *form, const lam_vec3 *points, int s, int t, int k, int l,
+                    lam_area_place *place) {
+  const lam_area_rule *ru = &form->rule[0], *rv = &form->rule[1];
+  int p = ru->degree + 1, q = rv->degree + 1, at[2] = {s * ru->places + k, t * rv->places + l};
+  const double *f = ru->values + at[0] * 2 * p, *g = rv->values + at[1] * 2 * q, *weights = form->surface.weights;
+  int columns = form->surface.count[1], corner = ru->first[s] * columns + rv->first[t];
+  double w = 0, wu = 0, wv = 0;
+  place->weight = ru->weights[at[0]] * rv->weights[at[1]];
+  for (int i = 0, a = 0; i < p; i++)
+    for (int j = 0; j < q; j++, a++) {
+      double weight = weights ? weights[corner + i * columns + j] : 1;
+      w += place->r[a] = weight * f[i] * g[j];
+      wu += place->ru[a] = weight * f[p + i] * g[j];
+      wv += place->rv[a] = weight * f[i] * g[q + j];
+    }
+  if (weights) {
+    double scale = 1 / w;
+    for (int a = 0; a < p * q; a++) {
+      place->r[a] *= scale;
+      place->ru[a] = scale * (place->ru[a] - place->r[a] * wu);
+      place->rv[a] = scale * (place->rv[a] - place->r[a] * wv);
+    }
+  }
+  lam_vec3 x = {0}, u = {0}, v = {0};
+  for (int i = 0, a = 0; i < p; i++)
+    for (int j = 0; j < q; j++, a++) {
+      lam_vec3 point = points[corner + i * columns + j];
+      x = lam_along(x, place->r[a], point);
+      u = lam_along(u, place->ru[a], point);
+      v = lam_along(v, place->rv[a], point);
+    }
+  place->x = x;
+  place->u = u;
+  place->v = v;
+}
+
+int lam_area_inner(const lam_area_form *form, int s, int t, int a) {
+  int q = form->rule[1].degree + 1, i = form->rule[0].first[s] + a / q - 1, j = form->rule[1].first[t] + a % q - 1;
+  return i >= 0 && i < form->inner[0] && j >= 0 && j < form->inner[1] ? i * form->inner[1] + j : -1;
+}
+
+/* What a place adds: fu and fv are weight * derivative of the density by x_u and x_v, fx by x. */
+static void add_slopes(const lam_area_form *form, const lam_area_place *place, lam_vec3 fx, lam_vec3 fu, lam_vec3 fv,
+                       lam_vec3 *slopes) {
+  for (int a = 0; a < form->local; a++) {
+    lam_vec3 sum = lam_along(lam_scale(fu, place->ru[a]), place->rv[a], fv);
+    slopes[a] = lam_add(slopes[a], form->mean_curvature != 0 ? lam_along(sum, place->r[a], fx) : sum);
+  }
+}
+
+/* s and t n of every pair of functions; metric = weight / a (E, F, G). */
+static void add_pairs(const lam_area_form *form, const lam_area_place *place, const double metric[3], lam_vec3 n) {
+  double w = place->weight, *e = form->element;
+  double nn[6] = {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
+  for (int a = 0; a < form->local; a++) {
+    double fu = place->ru[a], fv = place->rv[a];
+    double su = metric[2] * fu - metric[1] * fv, sv = metric[0] * fv - metric[1] * fu;
+    fu *= w;
+    fv *= w;
+    for (int b = a; b < form->local; b++, e += LAM_AREA_TERMS) {
+      double gu = place->ru[b], gv = place->rv[b], s = su * gu + sv * gv, t = fu * gv - fv * gu;
+      e[0] += s;
+      for (int c = 0; c < 6; c++) e[1 + c] += s * nn[c];
+      e[7] += t * n.x;
+      e[8] += t * n.y;
+      e[9] += t * n.z;
+    }
+  }
+}
+
+static void add_volume_pairs(const lam_area_form *form, const lam_area_place *place) {
+  double half = form->mean_curvature * place->weight, *e = form->element;
+  for (int a = 0; a < form->local; a++)
+    for (int b = a; b < form->local; b++, e += LAM_AREA_TERMS) {
+      double u = half * (place->r[a] * place->ru[b] - place->r[b] * place->ru[a]);
+      double v = half * (place->r[a] * place->rv[b] - place->r[b] * place->rv[a]);
+      lam_vec3 t = lam_along(lam_scale(place->v, u), -v, place->u);
+      e[7] += t.x;
+      e[8] += t.y;
+      e[9] += t.z;
+    }
+}
+
+/* The sums of one span go to where the points keep them. */
+static void scatter(const lam_area_form *form, int s, int t, const lam_vec3 *slopes, bool pairs) {
+  const double *e = form->element;
+  int q = form->rule[1].degree + 1;
+  for (int a = 0; a < form->local; a++) {
+    int point = lam_area_inner(form, s, t, a);
+    if (point >= 0) form->gradient[point] = lam_add(form->gradient[point], slopes[a]);
+    for (int b = a; pairs && b < form->local; b++, e += LAM_AREA_TERMS) {
+      if (point < 0 || lam_area_inner(form, s, t, b) < 0) continue;
+      int slot = (b / q - a / q) * (2 * q - 1) + b % q - a % q + q - 1;
+      double *to = form->blocks + ((size_t)point * form->window + slot) * LAM_AREA_TERMS;
+      for (int c = 0; c < LAM_AREA_TERMS; c++) to[c] += e[c];
+    }
+  }
+}
+
+typedef enum variation { VALUE, SLOPE, PAIRS } variation;
+
+static double integrate(const lam_area_form *form, const lam_vec3 *points, variation order, bool dirichlet) {
+  lam_area_place place;
+  double sum = 0, unit[3];
+  int total = form->inner[0] * form->inner[1];
+  if (order >= SLOPE) memset(form->gradient, 0, (size_t)total * sizeof *form->gradient);
+  if (order == PAIRS) memset(form->blocks, 0, (size_t)total * form->window * LAM_AREA_TERMS * sizeof *form->blocks);
+  for (int s = 0; s < form->rule[0].spans; s++)
+    for (int t = 0; t < form->rule[1].spans; t++) {
+      lam_vec3 slopes[LAM_AREA_LOCAL];
+      if (order >= SLOPE) memset(slopes, 0, (size_t)form->local * sizeof *slopes);
+      if (order == PAIRS)
+        memset(form->element, 0, (size_t)(form->local * (form->local + 1) / 2) * LAM_AREA_TERMS * sizeof(double));
+      for (int k = 0; k < form->rule[0].places; k++)
+        for (int l = 0; l < form->rule[1].places; l++) {
+          lam_area_visit(form, points, s, t, k, l, &place);
+          lam_vec3 u = place.u, v = place.v, normal = lam_cross(u, v), n = {0};
+          double E = lam_dot(u, u), F = lam_dot(u, v), G = lam_dot(v, v), a = lam_length(normal), w = place.weight;
+          double volume = form->mean_curvature != 0 ? 2 * form->mean_curvature / 3 * lam_dot(place.x, normal) : 0;
+          sum += w * (dirichlet ? (E + G) / 2 : a + volume);
+          if (order == VALUE) continue;
+          double least = 1e-14 * (E + G); /* a degenerate place pulls like one that is almost so */
+          unit[0] = dirichlet ? w : w * E / (a > least ? a : least);
+          unit[1] = dirichlet ? 0 : w * F / (a > least ? a : least);
+          unit[2] = dirichlet ? w : w * G / (a > least ? a : least);
+          if (!(E + G > 0)) unit[0] = unit[1] = unit[2] = 0;
+          if (!dirichlet && a > least) n = lam_scale(normal, 1 / a);
+          lam_vec3 fu = lam_along(lam_scale(u, unit[2]), -unit[1], v),
+                   fv = lam_along(lam_scale(v, unit[0]), -unit[1], u);
+          add_slopes(form, &place, lam_scale(normal, 2 * form->mean_curvature * w), fu, fv, slopes);
+          if (order == PAIRS) add_pairs(form, &place, unit, n);
+          if (order == PAIRS && form->mean_curvature != 0) add_volume_pairs(form, &place);
+        }
+      if (order >= SLOPE) scatter(form, s, t, slopes, order == PAIRS);
+    }
+  return isfinite(sum) ? sum : INFINITY;
+}
+
+double lam_area_value(const lam_area_form *form, const lam_vec3 *points) {
+  return integrate(form, points, VALUE, false);
+}
+double lam_area_slope(const lam_area_form *form, const lam_vec3 *points) {
+  return integrate(form, points, SLOPE, false);
+}
+double lam_area_vary(const lam_area_form *form, const lam_vec3 *points) {
+  return integrate(form, points, PAIRS, false);
+}
+void lam_area_dirichlet(const lam_area_form *form, const lam_vec3 *points) { integrate(form, points, PAIRS, true); }
+
+void lam_area_move(const lam_area_form *form, const lam_vec3 *from, double t, const lam_vec3 *step, lam_vec3 *to) {
+  int total = form->inner[0] * form->inner[1], all = form->surface.count[0] * form->surface.count[1];
+  if (to != from) memcpy(to, from, (size_t)all * sizeof *to);
+  for (int k = 0; k < total; k++) to[lam_area_index(form, k)] = lam_along(from[lam_area_index(form, k)], t, step[k]);
+}

@@ -1,0 +1,103 @@
+/* Damped Newton for least area: (A'' + lambda M) d = -A', M the Hessian of I/2. Moving the points within the surface
+ * costs nothing, so A'' alone is close to singular; lambda has a floor. */
+#include "surf/least_area_parts.h"
+#include <math.h>
+
+static double slope_along(const lam_area_form *form, const lam_vec3 *step) {
+  double sum = 0;
+  for (int k = 0; k < form->inner[0] * form->inner[1]; k++) sum += lam_dot(form->gradient[k], step[k]);
+  return sum;
+}
+
+static double floor_of(const lam_area_form *form) {
+  int p = form->rule[0].degree, q = form->rule[1].degree, degree = p > q ? p : q;
+  return degree < 5 ? 1e-6 : degree < 7 ? 1e-3 : 1e-2;
+}
+
+/* A direction goes down when A'' < -saddle M there; smaller values are noise of the almost free movements. */
+static const double saddle = 1e-3;
+
+typedef struct newton {
+  const lam_area_form *form;
+  const lam_area_system *system;
+  lam_vec3 *points, *trial, *step;
+  double value, scale, lambda, floor; /* value: what is minimized; scale: the area at the start */
+  double fall;                        /* of the last step */
+  int evaluations;
+} newton;
+
+/* One step downhill; false: no step of any length goes down. */
+static bool descend(lam_arena *arena, newton *n) {
+  double before = lam_area_vary(n->form, n->points);
+  n->evaluations++;
+  for (; n->lambda < 1e8; n->lambda *= 4) {
+    if (!lam_area_system_factor(n->system, n->form, n->lambda)) continue;
+    lam_area_system_step(arena, n->system, n->form->gradient, n->step);
+    double slope = slope_along(n->form, n->step);
+    lam_area_move(n->form, n->points, 1, n->step, n->trial);
+    double value = lam_area_value(n->form, n->trial);
+    n->evaluations++;
+    if (-slope < 1e-15 * n->scale) { /* nothing left to gain */
+      n->fall = fmax(0, before - value);
+      if (value < before) lam_area_move(n->form, n->points, 1, n->step, n->points);
+      n->value = fmin(before, value);
+      return true;
+    }
+    if (!(value < before + 1e-4 * slope)) continue;
+    lam_area_move(n->form, n->points, 1, n->step, n->points);
+    n->fall = before - value;
+    n->value = value;
+    /* a full Newton step promises half of -slope */
+    if (n->fall > -0.25 * slope) n->lambda = fmax(n->floor, n->lambda / 10);
+    return true;
+  }
+  n->value = before;
+  return false;
+}
+
+/* Whether the second variation has a direction that goes down at a stationary surface: then the points move a little
+ * along their normals, without any symmetry. */
+static bool leave_saddle(newton *n) {
+  const lam_area_form *form = n->form;
+  lam_area_vary(form, n->points);
+  if (lam_area_system_factor(n->system, form, saddle)) return false;
+  double size = 0.02 * sqrt(n->scale);
+  const lam_vec3 *net = n->points;
+  int columns = form->surface.count[1];
+  for (int k = 0; k < form->inner[0] * form->inner[1]; k++) {
+    int at = lam_area_index(form, k);
+    lam_vec3 normal =
+        lam_unit(lam_cross(lam_sub(net[at + columns], net[at - columns]), lam_sub(net[at + 1], net[at - 1])));
+    n->step[k] = lam_scale(normal, size * (1 + 0.7 * sin(1.3 * k + 0.4) + 0.5 * cos(2.9 * k)));
+  }
+  lam_area_move(form, n->points, 1, n->step, n->points);
+  n->lambda = 1;
+  return true;
+}
+
+void lam_area_newton(lam_arena *arena, const lam_area_form *form, const lam_least_area_options *options,
+                     lam_vec3 *points, lam_least_area_result *result) {
+  int all = form->surface.count[0] * form->surface.count[1], total = form->inner[0] * form->inner[1];
+  lam_area_system system = lam_area_system_make(arena, form, 3);
+  newton n = {form, &system, points, LAM_NEW(arena, lam_vec3, all), LAM_NEW(arena, lam_vec3, total), 0, 0, 0, 0, 0, 0};
+  n.floor = floor_of(form);
+  n.lambda = 1e-2;
+  n.scale = result->area;
+  for (; result->iterations < options->most; result->iterations++) {
+    if (!descend(arena, &n)) {
+      result->reason = "no step goes down any more";
+      break;
+    }
+    result->converged = options->enough > 0 ? n.value <= options->enough : n.fall <= options->tolerance * n.scale;
+    if (!result->converged) continue;
+    result->iterations++;
+    result->reason = options->enough > 0 ? "the area asked for is reached" : "the area falls no more";
+    if (options->enough > 0 || !leave_saddle(&n)) break;
+    result->converged = false;
+    if (++result->saddles > 4) {
+      result->reason = "stationary, but no minimum";
+      break;
+    }
+  }
+  result->evaluations += n.evaluations;
+}

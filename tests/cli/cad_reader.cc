@@ -1,0 +1,127 @@
+// cad_reader FILE [COPY.step COPY.igs]
+// Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, writes copies of it, and prints what
+// it found in SI units:
+//   faces N / valid 0|1 / area A / boundary L / edges N / free_edges N (of one face only) / loose_edges N (of none) /
+//   loose L box x0 y0 z0 x1 y1 z1 / name NAME point FACE u v x y z   on a grid over each face's parameters
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_PrinterOStream.hxx>
+#include <STEPControl_Reader.hxx>
+#include <STEPControl_Writer.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cstdio>
+#include <cstring>
+
+enum { cells = 4 };
+
+static double length(const TopoDS_Edge &edge) {
+  return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge), 1e-12) / 1000;
+}
+
+static TopoDS_Shape read(const char *path, int *roots) {
+  const char *dot = strrchr(path, '.');
+  if (dot && strcmp(dot, ".igs") == 0) {
+    IGESControl_Reader reader;
+    if (reader.ReadFile(path) != IFSelect_RetDone) return TopoDS_Shape();
+    *roots = reader.TransferRoots();
+    return reader.OneShape();
+  }
+  STEPControl_Reader reader;
+  if (reader.ReadFile(path) != IFSelect_RetDone) return TopoDS_Shape();
+  *roots = reader.TransferRoots();
+  return reader.OneShape();
+}
+
+static void print_points(const TopoDS_Face &face, int number) {
+  BRepAdaptor_Surface s(face);
+  double u0 = s.FirstUParameter(), u1 = s.LastUParameter(), v0 = s.FirstVParameter(), v1 = s.LastVParameter();
+  for (int i = 0; i <= cells; i++)
+    for (int j = 0; j <= cells; j++) {
+      double u = u0 + (u1 - u0) * i / cells, v = v0 + (v1 - v0) * j / cells;
+      gp_Pnt p = s.Value(u, v);
+      printf("point %d %.17g %.17g %.17g %.17g %.17g\n", number, u, v, p.X() / 1000, p.Y() / 1000, p.Z() / 1000);
+    }
+}
+
+static int report(const TopoDS_Shape &shape) {
+  int faces = 0, edges = 0, free_edges = 0, loose_edges = 0;
+  double boundary = 0, loose = 0;
+  for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next()) print_points(TopoDS::Face(e.Current()), faces++);
+  TopTools_IndexedDataMapOfShapeListOfShape owners;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, owners);
+  for (int i = 1; i <= owners.Extent(); i++) {
+    const TopoDS_Edge &edge = TopoDS::Edge(owners.FindKey(i));
+    if (BRep_Tool::Degenerated(edge)) continue;
+    edges++;
+    if (owners(i).Extent() == 1 && !BRep_Tool::IsClosed(edge, TopoDS::Face(owners(i).First()))) {
+      free_edges++;
+      boundary += length(edge);
+    }
+    if (owners(i).IsEmpty()) {
+      loose_edges++;
+      loose += length(edge);
+    }
+  }
+  GProp_GProps area;
+  BRepGProp::SurfaceProperties(shape, area, 1e-11);
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+  double b[6];
+  box.Get(b[0], b[1], b[2], b[3], b[4], b[5]);
+  printf("faces %d\nvalid %d\narea %.17g\n", faces, (int)BRepCheck_Analyzer(shape).IsValid(), area.Mass() / 1e6);
+  printf("boundary %.17g\nedges %d\nfree_edges %d\nloose_edges %d\nloose %.17g\nbox", boundary, edges, free_edges,
+         loose_edges, loose);
+  for (double side : b) printf(" %.17g", side / 1000);
+  printf("\n");
+  return 0;
+}
+
+static bool copy(const TopoDS_Shape &shape, const char *step, const char *iges) {
+  STEPControl_Writer writer;
+  IGESControl_Writer other("MM", 0);
+  return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone && writer.Write(step) == IFSelect_RetDone &&
+         other.AddShape(shape) && other.Write(iges);
+}
+
+int main(int argc, char **argv) {
+  if (argc != 2 && argc != 4) return 2;
+  try {
+    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
+    IGESControl_Controller::Init();
+    int roots = 0;
+    TopoDS_Shape shape = read(argv[1], &roots);
+    if (shape.IsNull()) {
+      fprintf(stderr, "%s: nothing was read\n", argv[1]);
+      return 1;
+    }
+    printf("roots %d\n", roots);
+    if (argc == 4 && !copy(shape, argv[2], argv[3])) {
+      fprintf(stderr, "%s: cannot be copied\n", argv[1]);
+      return 1;
+    }
+    return report(shape);
+  } catch (const Standard_Failure &failure) {
+    fprintf(stderr, "%s: %s\n", argv[1], failure.GetMessageString());
+    return 1;
+  }
+}
