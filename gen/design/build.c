@@ -263,17 +263,17 @@ static void keep_spline(pipeline *p, lam_workshop *workshop) {
 
 /* ---- prints ---- */
 
-static bool make_print(pipeline *p) {
+static bool make_print(pipeline *p, const lam_workshop *workshop) {
   const lam_texture_keys *keys = &p->design->texture;
   if (!p->design->has_texture) return true;
-  if (!p->model->surface_count) {
+  if (!workshop->surface_count) {
     lam_error_add(p->errors, (lam_place){.file = p->design->path}, "texture",
                   "there is no spline surface to print on; expected a surface such as developable, bezier or nurbs");
     return false;
   }
   lam_stage *stage = begin_stage(p, "texture");
   lam_print *print =
-      lam_print_make(p->arena, p->model->surfaces, (lam_motif)keys->motif, (lam_print_layout)keys->layout, keys->cells);
+      lam_print_make(p->arena, workshop->surfaces, (lam_motif)keys->motif, (lam_print_layout)keys->layout, keys->cells);
   for (int i = 0; i < print->count; i++) {
     const lam_printed *sheet = &print->sheets[i];
     if (strchr(sheet->name, '-')) continue; /* the same print, laid flat */
@@ -394,10 +394,7 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
   *workshop =
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
   keep_spline(&p, workshop);
-  model->surface_count = workshop->surface_count;
-  model->surfaces = workshop->surfaces;
-  if (!make_print(&p)) return false;
-  if (!make_parts(&p, workshop)) return false;
+  if (!make_print(&p, workshop) || !make_parts(&p, workshop)) return false;
   model->surface_count = workshop->surface_count;
   model->surfaces = workshop->surfaces;
   model->part_count = workshop->part_count;

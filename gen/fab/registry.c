@@ -9,10 +9,10 @@
   row(bars) \
   row(support) \
   row(circles) \
-  row(skin) \
-  row(frames) \
   row(gauss_image) \
-  row(flat_pattern)
+  row(flat_pattern) \
+  row(skin) \
+  row(frames)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_part_kind lam_part_##name;
