@@ -1,4 +1,4 @@
-/* report.json: what was measured, one entry per stage. Numbers have 6 significant digits, null
+/* report.json: what was measured, one entry per stage. Numbers have 10 significant digits, null
  * stands for what is undefined or not known; times only when asked for. */
 #include "formats/format.h"
 
@@ -10,7 +10,7 @@
 static json_t *number(double value) {
   char digits[32];
   if (!isfinite(value)) return json_null();
-  snprintf(digits, sizeof digits, "%.6g", value);
+  snprintf(digits, sizeof digits, "%.10g", value);
   return json_real(strtod(digits, NULL));
 }
 
@@ -53,7 +53,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
     json_array_append_new(stages, stage_entry(&model->report->stages[s]));
   json_t *root = json_pack("{s:s, s:s, s:s, s:s, s:o}", "name", model->name, "title", model->title, "source",
                            model->source ? model->source : "", "lamella", model->version, "stages", stages);
-  char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(6)) : NULL;
+  char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
   json_decref(root);
   if (!text) return LAM_FAILED;
   lam_arena_defer(out->arena, free, text); /* also when adding to out runs out of memory */
