@@ -11,7 +11,7 @@ typedef struct lam_quad_keys {
 } lam_quad_keys;
 
 typedef struct lam_quad_data {
-  const lam_nurbs *nurbs;
+  const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   lam_asymptotic_patch patch;
   bool straight[4];
 } lam_quad_data;
@@ -53,18 +53,6 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
   for (int i = 0; i < 4; i++) data->straight[i] = q.side[i][0] == 0;
   data->nurbs = lam_nurbs_make(arena, &data->patch.surface);
   return data;
-}
-
-static void eval(const void *data, double u, double v, lam_jet *jet) {
-  lam_nurbs_eval(((const lam_quad_data *)data)->nurbs, u, v, jet);
-}
-
-static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
-  return lam_nurbs_domain(((const lam_quad_data *)data)->nurbs, chart, p, q, closed);
-}
-
-static const lam_spline_surface *spline(const void *data) {
-  return lam_nurbs_spline(((const lam_quad_data *)data)->nurbs);
 }
 
 enum { PLACES = 200 }; /* along each boundary curve; the report names the greatest value of all */
@@ -165,7 +153,7 @@ const lam_surface_kind lam_surface_asymptotic_quad = {
              .keys = keys,
              .params_size = sizeof(lam_quad_keys)},
     .prepare = prepare,
-    .eval = eval,
-    .domain = domain,
-    .spline = spline,
+    .eval = lam_held_nurbs_eval,
+    .domain = lam_held_nurbs_domain,
+    .spline = lam_held_nurbs_spline,
     .report = report};

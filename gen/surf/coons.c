@@ -14,7 +14,7 @@ typedef struct coons_keys {
 } coons_keys;
 
 typedef struct coons_data {
-  const lam_nurbs *nurbs;
+  const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   lam_coons coons;
   bool hermite;
 } coons_data;
@@ -128,18 +128,6 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
   return data;
 }
 
-static void eval(const void *data, double u, double v, lam_jet *jet) {
-  lam_nurbs_eval(((const coons_data *)data)->nurbs, u, v, jet);
-}
-
-static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
-  return lam_nurbs_domain(((const coons_data *)data)->nurbs, chart, p, q, closed);
-}
-
-static const lam_spline_surface *spline(const void *data) {
-  return lam_nurbs_spline(((const coons_data *)data)->nurbs);
-}
-
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const coons_data *d = data;
   double most = 0, mean = 0;
@@ -150,7 +138,7 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
       lam_vec3 x;
       lam_jet jet;
       lam_spline_curve_eval(side, low + t * (high - low), 0, &x);
-      eval(data, i % 2 ? i / 2 : t, i % 2 ? t : i / 2, &jet);
+      lam_held_nurbs_eval(data, i % 2 ? i / 2 : t, i % 2 ? t : i / 2, &jet);
       most = fmax(most, lam_distance(x, jet.x));
       mean += lam_distance(x, jet.x) / (LAM_COONS_SIDES * (SAMPLES + 1));
     }
@@ -230,7 +218,7 @@ const lam_surface_kind lam_surface_coons = {
              .keys = keys,
              .params_size = sizeof(coons_keys)},
     .prepare = prepare,
-    .eval = eval,
-    .domain = domain,
-    .spline = spline,
+    .eval = lam_held_nurbs_eval,
+    .domain = lam_held_nurbs_domain,
+    .spline = lam_held_nurbs_spline,
     .report = report};

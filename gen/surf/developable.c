@@ -18,7 +18,7 @@ typedef struct developable_keys {
 } developable_keys;
 
 typedef struct developable_data {
-  const lam_nurbs *nurbs;
+  const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   lam_developable_result result;
   lam_developable_measures coons;
   int cells;
@@ -131,18 +131,6 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
   return data;
 }
 
-static void eval(const void *data, double u, double v, lam_jet *jet) {
-  lam_nurbs_eval(((const developable_data *)data)->nurbs, u, v, jet);
-}
-
-static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
-  return lam_nurbs_domain(((const developable_data *)data)->nurbs, chart, p, q, closed);
-}
-
-static const lam_spline_surface *spline(const void *data) {
-  return lam_nurbs_spline(((const developable_data *)data)->nurbs);
-}
-
 /* 40 Gauss points per span: not the rule that was minimized with. */
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const developable_data *d = data;
@@ -252,7 +240,7 @@ const lam_surface_kind lam_surface_developable = {
              .keys = keys,
              .params_size = sizeof(developable_keys)},
     .prepare = prepare,
-    .eval = eval,
-    .domain = domain,
-    .spline = spline,
+    .eval = lam_held_nurbs_eval,
+    .domain = lam_held_nurbs_domain,
+    .spline = lam_held_nurbs_spline,
     .report = report};

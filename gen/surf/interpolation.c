@@ -13,7 +13,7 @@ typedef struct interpolation_keys {
 } interpolation_keys;
 
 typedef struct interpolation_data {
-  const lam_nurbs *nurbs;
+  const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   const double *t[2];
   const lam_vec3 *points;
   int count[2];
@@ -59,25 +59,13 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
   return data;
 }
 
-static void eval(const void *data, double u, double v, lam_jet *jet) {
-  lam_nurbs_eval(((const interpolation_data *)data)->nurbs, u, v, jet);
-}
-
-static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
-  return lam_nurbs_domain(((const interpolation_data *)data)->nurbs, chart, p, q, closed);
-}
-
-static const lam_spline_surface *spline(const void *data) {
-  return lam_nurbs_spline(((const interpolation_data *)data)->nurbs);
-}
-
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const interpolation_data *d = data;
   double most = 0, mean = 0;
   int total = d->count[0] * d->count[1];
   for (int i = 0; i < total; i++) {
     lam_jet jet;
-    eval(data, d->t[0][i / d->count[1]], d->t[1][i % d->count[1]], &jet);
+    lam_held_nurbs_eval(data, d->t[0][i / d->count[1]], d->t[1][i % d->count[1]], &jet);
     most = fmax(most, lam_distance(jet.x, d->points[i]));
     mean += lam_distance(jet.x, d->points[i]) / total;
   }
@@ -147,7 +135,7 @@ const lam_surface_kind lam_surface_interpolation = {
              .keys = keys,
              .params_size = sizeof(interpolation_keys)},
     .prepare = prepare,
-    .eval = eval,
-    .domain = domain,
-    .spline = spline,
+    .eval = lam_held_nurbs_eval,
+    .domain = lam_held_nurbs_domain,
+    .spline = lam_held_nurbs_spline,
     .report = report};

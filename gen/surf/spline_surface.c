@@ -100,3 +100,13 @@ const lam_nurbs *lam_nurbs_make(lam_arena *arena, const lam_spline_surface *surf
   for (int d = 0; d < 2; d++) s->closed[d] = closes_up(s, d);
   return s;
 }
+
+static const lam_nurbs *held(const void *data) { return *(const lam_nurbs *const *)data; }
+
+void lam_held_nurbs_eval(const void *data, double u, double v, lam_jet *jet) { lam_nurbs_eval(held(data), u, v, jet); }
+
+bool lam_held_nurbs_domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
+  return lam_nurbs_domain(held(data), chart, p, q, closed);
+}
+
+const lam_spline_surface *lam_held_nurbs_spline(const void *data) { return lam_nurbs_spline(held(data)); }

@@ -14,5 +14,9 @@ const lam_nurbs *lam_nurbs_make(lam_arena *arena, const lam_spline_surface *surf
 void lam_nurbs_eval(const void *nurbs, double u, double v, lam_jet *jet);
 bool lam_nurbs_domain(const void *nurbs, lam_chart chart, double p[2], double q[2], bool closed[2]);
 const lam_spline_surface *lam_nurbs_spline(const void *nurbs);
+/* The same for kinds that compute their spline: data is a struct whose first member is a const lam_nurbs *. */
+void lam_held_nurbs_eval(const void *data, double u, double v, lam_jet *jet);
+bool lam_held_nurbs_domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]);
+const lam_spline_surface *lam_held_nurbs_spline(const void *data);
 
 #endif
