@@ -20,7 +20,7 @@ lam_area_rule lam_area_rule_make(lam_arena *arena, const lam_spline_surface *sur
   const double *knots = surface->knots[d];
   for (int i = p; i < count; i++) spans += knots[i + 1] > knots[i];
   int *first = LAM_NEW(arena, int, spans);
-  double *weights = LAM_NEW(arena, double, spans *places),
+  double *weights = LAM_NEW(arena, double, spans *places), *parameters = LAM_NEW(arena, double, spans *places),
          *values = LAM_NEW(arena, double, spans *places * 2 * (p + 1)), *at = LAM_NEW(arena, double, places),
          *w = LAM_NEW(arena, double, places);
   lam_gauss_rule(places, at, w);
@@ -30,11 +30,12 @@ lam_area_rule lam_area_rule_make(lam_arena *arena, const lam_spline_surface *sur
     first[s] = i - p;
     for (int k = 0; k < places; k++) {
       weights[s * places + k] = width * w[k];
+      parameters[s * places + k] = knots[i] + width * at[k];
       lam_basis_eval(p, knots, i, knots[i] + width * at[k], 1, values + (s * places + k) * 2 * (p + 1));
     }
     s++;
   }
-  return (lam_area_rule){p, spans, places, first, weights, values};
+  return (lam_area_rule){p, spans, places, first, weights, parameters, values};
 }
 
 int lam_area_places(const lam_spline_surface *surface, int along) {
@@ -153,14 +154,12 @@ static void add_volume_pairs(const lam_area_form *form, const lam_area_place *pl
 /* The sums of one span go to where the points keep them. */
 static void scatter(const lam_area_form *form, int s, int t, const lam_vec3 *slopes, bool pairs) {
   const double *e = form->element;
-  int q = form->rule[1].degree + 1;
   for (int a = 0; a < form->local; a++) {
     int point = lam_area_inner(form, s, t, a);
     if (point >= 0) form->gradient[point] = lam_add(form->gradient[point], slopes[a]);
     for (int b = a; pairs && b < form->local; b++, e += LAM_AREA_TERMS) {
       if (point < 0 || lam_area_inner(form, s, t, b) < 0) continue;
-      int slot = (b / q - a / q) * (2 * q - 1) + b % q - a % q + q - 1;
-      double *to = form->blocks + ((size_t)point * form->window + slot) * LAM_AREA_TERMS;
+      double *to = form->blocks + ((size_t)point * form->window + lam_area_slot(form, a, b)) * LAM_AREA_TERMS;
       for (int c = 0; c < LAM_AREA_TERMS; c++) to[c] += e[c];
     }
   }

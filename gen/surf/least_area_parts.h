@@ -16,6 +16,7 @@ typedef struct lam_area_rule {
   int degree, spans, places; /* places per span */
   const int *first;          /* of the functions on a span */
   const double *weights;     /* spans x places, with the width of the span */
+  const double *at;          /* parameters, spans x places */
   const double *values;      /* spans x places x (value, derivative) x (degree + 1) */
 } lam_area_rule;
 lam_area_rule lam_area_rule_make(lam_arena *arena, const lam_spline_surface *surface, int d, int places);
@@ -51,6 +52,12 @@ void lam_area_visit(const lam_area_form *form, const lam_vec3 *points, int s, in
                     lam_area_place *place);
 /* Number of the inner point that is local function a of a span, or -1 on the boundary. */
 int lam_area_inner(const lam_area_form *form, int s, int t, int a);
+
+/* Where the block of local functions a and b, b after a or itself, stands in the window of a. */
+static inline int lam_area_slot(const lam_area_form *form, int a, int b) {
+  int q = form->rule[1].degree + 1;
+  return (b / q - a / q) * (2 * q - 1) + b % q - a % q + q - 1;
+}
 
 /* Area + 2 H volume; +infinity where a point is not finite. */
 double lam_area_value(const lam_area_form *form, const lam_vec3 *points);
