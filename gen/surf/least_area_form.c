@@ -68,9 +68,13 @@ lam_area_form *lam_area_form_make(lam_arena *arena, const lam_spline_surface *su
   return form;
 }
 
-void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form, int places) {
-  for (int d = 0; d < 2; d++)
+void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form) {
+  enum { along = 16 };
+  for (int d = 0; d < 2; d++) {
+    int few = form->rule[d].degree + 1, places = (along + form->rule[d].spans - 1) / form->rule[d].spans;
+    if (places < few) places = few;
     if (places < form->rule[d].places) form->second[d] = lam_area_rule_make(arena, &form->surface, d, places);
+  }
 }
 
 static void visit(const lam_area_form *form, const lam_area_rule rule[2], const lam_vec3 *points, int s, int t, int k,
