@@ -30,6 +30,7 @@ typedef struct newton {
   double value, scale, lambda, floor; /* value: what is minimized; scale: the area at the start */
   double fall;                        /* of the last step */
   bool known;                         /* the second variation is that of the points */
+  double factored;                    /* the damping that the system is factorized with; NAN: none */
   bool short_step;                    /* the last step was, by a damping that can still be lowered */
   int evaluations;
 } newton;
@@ -47,9 +48,12 @@ static void look(newton *n) {
 }
 
 static bool factor(newton *n, double lambda) {
+  if (n->known && n->factored == lambda) return true;
   if (!n->known) lam_area_blocks(n->form, n->points);
   n->known = true;
-  return lam_area_system_factor(n->system, n->form, lambda);
+  bool definite = lam_area_system_factor(n->system, n->form, lambda);
+  n->factored = definite ? lambda : NAN;
+  return definite;
 }
 
 /* Takes t times the step. value: there; seen: it was computed last, with the gradient. */
@@ -158,7 +162,7 @@ void lam_area_newton(lam_arena *arena, const lam_area_form *form, const lam_leas
     if (!result->converged) continue;
     result->iterations++;
     result->reason = options->enough > 0 ? "the area asked for is reached" : "the area falls no more";
-    if (options->enough > 0 || !leave_saddle(&n)) break;
+    if (options->enough > 0 || options->accept_saddles || !leave_saddle(&n)) break;
     result->converged = false;
     if (++result->saddles > 4) {
       result->reason = "stationary, but no minimum";
