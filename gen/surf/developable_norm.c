@@ -173,6 +173,8 @@ static void add_hessian(const lam_gauss_norm *norm, const int *point, const doub
   }
 }
 
+static const double nothing = 1e-30; /* |K/scale|^(p-2) of places whose derivatives are left out */
+
 lam_gauss_value lam_gauss_norm_eval(const lam_gauss_norm *norm, const lam_vec3 *x, double p, double scale,
                                     lam_order want, double *gradient, double *hessian) {
   lam_gauss_value value = {.scale = scale};
@@ -185,15 +187,15 @@ lam_gauss_value lam_gauss_norm_eval(const lam_gauss_norm *norm, const lam_vec3 *
     const double *basis = norm->basis + (size_t)g * norm->arity * LAM_TANGENTS;
     lam_vec3 d[LAM_TANGENTS], first[LAM_TANGENTS];
     tangents(norm->arity, point, basis, x, d);
-    double stretch,
-        K = lam_gauss_derivatives(d, &stretch, want ? first : NULL, want == LAM_ORDER_NEWTON ? second : NULL) / scale;
-    double w = norm->weights[g], k = fabs(K), outer = p == 2 ? 1 : pow(k, p - 2);
+    double stretch, w = norm->weights[g];
+    double K = lam_gauss_derivatives(d, &stretch, NULL, NULL) / scale, k = fabs(K), outer = p == 2 ? 1 : pow(k, p - 2);
     value.power += w * outer * k * k;
     value.max = fmax(value.max, k * scale);
     value.area += w * stretch;
     least = fmin(least, stretch);
     most = fmax(most, stretch);
-    if (want == LAM_ORDER_VALUE) continue;
+    if (want == LAM_ORDER_VALUE || (p > 2 && outer < nothing)) continue;
+    lam_gauss_derivatives(d, &stretch, first, want == LAM_ORDER_NEWTON ? second : NULL);
     double slope = w * p * outer * K / scale, *h = norm->local;
     for (int a = 0; a < norm->arity; a++) {
       int unknown = norm->unknown[point[a]];
