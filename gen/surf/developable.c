@@ -6,7 +6,7 @@
 #include "surf/sides_keys.h"
 #include "surf/spline_surface.h"
 
-enum { MOST_DEGREE = 8, MOST_INNER = 300, REPORT_GRID = 200 };
+enum { MOST_DEGREE = 8, MOST_INNER = 300, REPORT_GRID = 400 };
 
 typedef struct developable_keys {
   lam_sides_keys sides;
@@ -21,7 +21,7 @@ typedef struct developable_data {
   int cells;
 } developable_data;
 
-static const char *const methods[] = {"newton", "trust-region", "quasi-newton", NULL};
+static const char *const methods[] = {"newton", "trust-region", "quasi-newton", "minimax", NULL};
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const developable_keys *keys = params;
@@ -77,8 +77,13 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
                  lam_flat_anisotropy(&mesh, mesh.start, NULL), stretch);
   if (m.corner_bound > 0)
     lam_stage_note(arena, stage,
-                   "no surface over this boundary has max |K| below %.5g 1/m2; this one has %.3g times that",
-                   m.corner_bound, m.max / m.corner_bound);
+                   "no surface over this boundary has max |K| below %.5g 1/m2, the bound of its corners; this one %s",
+                   m.corner_bound,
+                   m.max <= m.corner_bound * (1 + 1e-4)
+                       ? "attains it"
+                       : lam_arena_printf(arena, "has %.4g times that", m.max / m.corner_bound));
+  else
+    lam_stage_note(arena, stage, "the corners set no bound on max |K|");
   if (d->result.escapes) lam_stage_note(arena, stage, "saddle points left: %d", d->result.escapes);
 }
 
@@ -96,16 +101,18 @@ static const lam_key keys[] = {
      .initial = "2",
      .min = 2,
      .max = 96,
-     .doc = "The p of the L^p norm of the Gaussian curvature: 2 makes it small in the mean square, 48 nearly makes its "
-            "largest value least."},
+     .doc =
+         "The p of the L^p norm of the Gaussian curvature: 2 makes it small in the mean square; the higher, the more "
+         "the largest values count. Not used by the method minimax."},
     {.name = "method",
      .type = LAM_KEY_CHOICE,
      .offset = AT(method),
      .count = 1,
      .initial = "newton",
      .choices = methods,
-     .doc = "newton: Levenberg-Marquardt, then Newton's method, past saddle points; the others are the two of the "
-            "paper, for comparison."},
+     .doc = "newton: Levenberg-Marquardt, then Newton's method, past saddle points; minimax: the same on ever higher "
+            "powers, until the largest value of the Gaussian curvature is least; the others are the two of the paper, "
+            "for comparison."},
     {.name = "flatten",
      .type = LAM_KEY_INTEGER,
      .offset = AT(cells),
@@ -125,7 +132,7 @@ const lam_surface_kind lam_surface_developable = {
                  "a cylinder or a tangent surface, that surface is found; where no developable surface exists, the "
                  "Gaussian curvature is made as small as possible, and the report tells what remains, how little "
                  "of it the corners allow at best, and how much the sheet has to stretch. Making the mean small can "
-                 "raise the maximum at an edge: take a higher power then.",
+                 "raise the maximum at an edge: take the method minimax then.",
              .equation = "int int |K|^p du dv -> min, K = (LN - M^2)/(EG - F^2)",
              .source = "Li & Deng, Construction and application of approximate developable surfaces, sec. 2-4",
              .keys = keys,
