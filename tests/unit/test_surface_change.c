@@ -135,7 +135,8 @@ static void test_closest(void **state) {
   for (int k = 0; k < SURFACES; k++) {
     lam_spline_surface s = example(k);
     for (int j = 0; j < 4; j++) {
-      lam_vec3 target = lam_scale(next_point(), 1.5);
+      lam_vec3 base = at(&s, next_in(1.2, 3.8), next_in(1.2, 3.8)); /* near the surface, then anywhere */
+      lam_vec3 target = j < 3 ? lam_along(base, 0.1, next_point()) : lam_scale(next_point(), 1.5);
       lam_closest_on_surface c = lam_spline_surface_closest(arena, &s, target);
       near3(at(&s, c.u, c.v), c.point, 1e-13);
       near(lam_distance(c.point, target), c.distance, 0);
