@@ -298,7 +298,7 @@ static void test_wrong_input(void **state) {
                                          {"{curves: [{points: [0,0,0, 1,0,0]}]}", "curves"},
                                          {"{curves: [{points: [0,0,0, 1,0,0]}, {points: [0,0,0, 0,1,0]}, {points: "
                                           "[0,1,0, 1,1,0]}, {points: [1,0,0, 1,1,1]}]}",
-                                          "curves"},
+                                          "curves[3]"},
                                          {"{mean_curvature: 0.1, method: paper}", "mean_curvature"},
                                          {"{mean_curvature: 0.1, inner_weights: free}", "mean_curvature"}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
