@@ -50,8 +50,9 @@ static bool fill_net(skin *s, lam_place place) {
   }
   lam_asymptotic_patch *patches = LAM_NEW(shop->arena, lam_asymptotic_patch, cells.cell_count);
   lam_errors reasons = {.arena = shop->arena};
-  int made =
-      lam_asymptotic_skin_fill(shop->arena, cells.vertices, cells.cell_count, cells.cells, place, &reasons, patches);
+  lam_skin_fit fit = lam_asymptotic_skin_fill(shop->arena, shop->net->mesh.vertex_count, cells.vertices,
+                                              cells.cell_count, cells.cells, place, &reasons, patches);
+  int made = fit.made;
   if (made == 0) {
     lam_error_add(shop->errors, place, "kind", "no cell can be filled; the first one because %s",
                   reasons.first ? reasons.first->text : "it is degenerate");

@@ -10,11 +10,11 @@
 typedef struct lam_skin_net {
   int every; /* edges of the net along a side of a cell */
   int cell_count;
-  lam_skin_cell *cells; /* vertices are those of the net */
-  int irregular;        /* cells left out because a corner has no two lines through it */
-  int uncovered;        /* faces of the net in no cell, left out or not */
-  lam_skin_vertex
-      *vertices;      /* per vertex of the net; its tangents belong to `every` edges. Zero where no two lines cross */
+  lam_skin_cell *cells;          /* vertices are those of the net */
+  int irregular;                 /* cells left out because a corner has no two lines through it */
+  int uncovered;                 /* faces of the net in no cell, left out or not */
+  lam_conormal_vertex *vertices; /* per vertex of the net; slopes belong to `every` edges. Zero where no two lines
+                                    cross */
   int (*sides)[4][2]; /* per cell and side r1, r2, r3, r4: the first vertex and the entry of net->ring (counted
                          from ring_start) in which the side leaves it */
 } lam_skin_net;

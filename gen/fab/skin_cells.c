@@ -84,61 +84,51 @@ static void derivative_weights(int count, int at, double first[LINE], double sec
   }
 }
 
-static lam_vec3 across(lam_vec3 t, lam_vec3 other) {
-  return lam_unit(lam_along(other, -lam_dot(other, t) / lam_dot(t, t), t));
-}
-
-/* Tangents and curvatures of one vertex, per edge of the net. */
-static void make_tangents(const lam_net *net, int v, lam_skin_vertex *out) {
-  const lam_vec3 *x = net->mesh.vertices;
-  lam_vec3 second[2];
-  out->point = x[v];
+/* The derivatives of a vector along both lines through a vertex, per edge of the net. */
+static void differentiate(const lam_net *net, int v, const lam_vec3 *values, bool regular_only, lam_vec3 first[2],
+                          lam_vec3 second[2]) {
   for (int d = 0; d < 2; d++) {
     int line[LINE], at, count = line_through(net, v, d, line, &at);
-    double first[LINE], twice[LINE];
-    derivative_weights(count, at, first, twice);
-    out->tangent[d] = second[d] = lam_v3(0, 0, 0);
-    for (int k = 0; k < count; k++) {
-      out->tangent[d] = lam_along(out->tangent[d], first[k], lam_sub(x[line[k]], x[v]));
-      second[d] = lam_along(second[d], twice[k], lam_sub(x[line[k]], x[v]));
+    double once[LINE], twice[LINE];
+    while (regular_only && count > 1 && !is_regular(net, line[count - 1])) count--;
+    int skip = regular_only && count > 1 && !is_regular(net, line[0]);
+    derivative_weights(count - skip, at - skip, once, twice);
+    first[d] = second[d] = lam_v3(0, 0, 0);
+    for (int k = skip; k < count; k++) {
+      lam_vec3 x = lam_sub(values[line[k]], values[v]);
+      first[d] = lam_along(first[d], once[k - skip], x);
+      second[d] = lam_along(second[d], twice[k - skip], x);
     }
   }
-  for (int d = 0; d < 2; d++) {
-    lam_vec3 t = out->tangent[d];
-    out->curvature[d] = lam_dot(second[d], across(t, out->tangent[1 - d])) / lam_dot(t, t);
-  }
 }
 
-/* Along the curves of both families N' = -tau |r'| nu, nu across the curve towards the other tangent and tau that of
- * the u-curve: the mean of both. */
-static double torsion(const lam_net *net, int v, const lam_skin_vertex *vertices, const lam_vec3 *normals) {
-  double sum = 0;
-  for (int d = 0; d < 2; d++) {
-    int line[LINE], at, count = line_through(net, v, d, line, &at);
-    double first[LINE], twice[LINE];
-    lam_vec3 t = vertices[v].tangent[d], change = lam_v3(0, 0, 0);
-    while (count > 1 && !is_regular(net, line[count - 1])) count--;
-    int skip = count > 1 && !is_regular(net, line[0]);
-    derivative_weights(count - skip, at - skip, first, twice);
-    for (int k = skip; k < count; k++) change = lam_along(change, first[k - skip], normals[line[k]]);
-    sum -= lam_dot(change, across(t, vertices[v].tangent[1 - d])) / lam_length(t);
-  }
-  return sum / 2;
-}
-
-static lam_skin_vertex *make_vertices(lam_arena *arena, const lam_net *net, int every) {
+/* Normals N from the tangents; N' = s tau N x r' along asymptotic curves, so that |tau| = |N'| / |r'|: the mean of
+ * both. Then the conormals N / sqrt|tau| and their derivatives. */
+static lam_conormal_vertex *make_vertices(lam_arena *arena, const lam_net *net, int every) {
   int n = net->mesh.vertex_count;
-  lam_skin_vertex *vertices = LAM_NEW(arena, lam_skin_vertex, n);
-  lam_vec3 *normals = LAM_NEW(arena, lam_vec3, n);
+  lam_conormal_vertex *vertices = LAM_NEW(arena, lam_conormal_vertex, n);
+  lam_vec3 *normals = LAM_NEW(arena, lam_vec3, n), *conormals = LAM_NEW(arena, lam_vec3, n), other[2];
+  lam_vec3(*tangents)[2] = lam_arena_alloc(arena, (size_t)n, sizeof *tangents);
+  for (int v = 0; v < n; v++) {
+    vertices[v].point = net->mesh.vertices[v];
+    if (!is_regular(net, v)) continue;
+    differentiate(net, v, net->mesh.vertices, false, tangents[v], other);
+    normals[v] = lam_unit(lam_cross(tangents[v][0], tangents[v][1]));
+  }
   for (int v = 0; v < n; v++) {
     if (!is_regular(net, v)) continue;
-    make_tangents(net, v, &vertices[v]);
-    normals[v] = lam_unit(lam_cross(vertices[v].tangent[0], vertices[v].tangent[1]));
+    lam_vec3 turn[2];
+    differentiate(net, v, normals, true, turn, other);
+    double torsion = 0;
+    for (int d = 0; d < 2; d++) torsion += lam_length(turn[d]) / lam_length(tangents[v][d]) / 2;
+    conormals[v] = lam_scale(normals[v], 1 / sqrt(torsion));
   }
-  for (int v = 0; v < n; v++)
-    if (is_regular(net, v)) vertices[v].torsion = torsion(net, v, vertices, normals);
-  for (int v = 0; v < n; v++)
-    for (int d = 0; d < 2; d++) vertices[v].tangent[d] = lam_scale(vertices[v].tangent[d], every);
+  for (int v = 0; v < n; v++) {
+    if (!is_regular(net, v)) continue;
+    differentiate(net, v, conormals, true, vertices[v].slope, other);
+    vertices[v].conormal = conormals[v];
+    for (int d = 0; d < 2; d++) vertices[v].slope[d] = lam_scale(vertices[v].slope[d], every);
+  }
   return vertices;
 }
 

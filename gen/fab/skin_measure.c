@@ -2,6 +2,8 @@
 #include "fab/skin.h"
 #include "surf/spline_surface.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 enum { PLACES = 33, SAMPLES = 11 };
 
 /* Point and unit normal at place t of a side of a patch over the unit square. */
@@ -115,7 +117,9 @@ double lam_skin_distance(const lam_net *net, const lam_skin_net *cells, const la
       for (int k = 1; k < cells->every; k++) {
         int back, v = lam_skin_walk(net, cells->sides[c][s][0], cells->sides[c][s][1], k, &back);
         double t = (double)k / cells->every;
-        most = fmax(most, distance_from(&patches[c].boundary.curve[s], t, net->mesh.vertices[v]));
+        double dd = distance_from(&patches[c].boundary.curve[s], t, net->mesh.vertices[v]);
+        if (getenv("KP") && dd > atof(getenv("KP"))) fprintf(stderr, "far %g at %g %g %g\n", dd, net->mesh.vertices[v].x, net->mesh.vertices[v].y, net->mesh.vertices[v].z);
+        most = fmax(most, dd);
       }
   return most;
 }
