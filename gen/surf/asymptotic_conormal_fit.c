@@ -5,201 +5,274 @@
  * These are about 6 equations for 9 unknowns at every vertex. With straight edges nu is linear, and the equations are
  * those of the discrete Lelieuvre normals, which every discrete asymptotic net has.
  *
- * What is left free goes to fairness: third derivatives along edges, nu''' = 12 (n0 - n1) + 6 (d0 + d1), jumps of the
- * second derivatives where edges continue each other, and the distance from the start; each times the length of the
- * conormals at the start, because r^(k) is about nu x nu^(k). */
-#include "solve/guided.h"
+ * Of all solutions the one nearest to the start x0 is taken: sum |x - x0|^2 / m -> min, subject to c(x) = 0. With c
+ * linear at x, c + J dx = 0, that is
+ *   dx = x0 - x - m J^T y,  J m J^T y = c + J (x0 - x):
+ * three unknowns y for every edge, connected with the edges at both ends. A conormal that moves by d turns the tangent
+ * plane by d / |nu|, a slope that moves by d moves the curve by |nu| d: hence m = |nu|^2 and 1 / |nu|^2. */
+#include "solve/factor.h"
 #include "surf/asymptotic_conormal.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-/* Residual: the end of the edge less the vertex. Unknown: n0, d0, n1, d1. p: s, the signs of d0 and d1, P1 - P0. */
-static void chord(int n, const double *x, const double *p, double *r, double *J) {
-  static const double pair[4][4] = {{0, 0.2, 1, -0.2}, {0, 0, 0.2, -1.0 / 30}, {0, 0, 0, 0.2}, {0, 0, 0, 0}};
-  const double way[4] = {1, p[1], 1, p[2]};
-  for (int c = 0; c < 3; c++) r[c] = -p[3 + c];
-  for (int i = 0; J && i < 3 * n; i++) J[i] = 0;
-  for (int a = 0; a < 4; a++)
-    for (int b = a + 1; b < 4; b++) {
-      double w = p[0] * way[a] * way[b] * pair[a][b];
-      const double *f = x + 3 * a, *g = x + 3 * b;
-      for (int c = 0; c < 3; c++) {
-        int d = (c + 1) % 3, e = (c + 2) % 3;
-        r[c] += w * (f[d] * g[e] - f[e] * g[d]);
-        if (!J) continue;
-        J[c * n + 3 * a + d] += w * g[e];
-        J[c * n + 3 * a + e] -= w * g[d];
-        J[c * n + 3 * b + e] += w * f[d];
-        J[c * n + 3 * b + d] -= w * f[e];
-      }
-    }
-}
+enum { STEPS = 40, PULLED = 8, VECTORS = 3 };              /* of a vertex: conormal and slopes */
+static const double tolerance = 1e-14, sufficient = 1e-11; /* mean edges */
 
-/* Residual: sum of p_k times unknown vector k, less the vector that follows in p. */
-static void combination(int n, const double *x, const double *p, double *r, double *J) {
-  for (int i = 0; J && i < 3 * n; i++) J[i] = 0;
-  for (int c = 0; c < 3; c++) {
-    r[c] = -p[n / 3 + c];
-    for (int k = 0; k < n / 3; k++) {
-      r[c] += p[k] * x[3 * k + c];
-      if (J) J[c * n + 3 * k + c] = p[k];
-    }
-  }
-}
+typedef struct block {
+  double at[3][3];
+} block;
+
+/* Between two edges, or an edge and itself. */
+typedef struct pair {
+  int high, low, start; /* of the block in every column of `low`: first entry, counted from the diagonal */
+} pair;
 
 typedef struct fit {
   lam_arena *arena;
-  lam_problem *problem;
   int vertex_count, edge_count;
-  lam_conormal_vertex *vertices;
+  const lam_conormal_vertex *vertices;
   const lam_conormal_arc *edges;
-  int *node;   /* per vertex, or -1 */
-  int used;    /* nodes of conormals; those of slopes follow */
-  double unit; /* meters */
-  double *weight;
+  double unit;                /* meters */
+  lam_vec3 *x, *start, *step; /* VECTORS per vertex, in sqrt(unit) */
+  double *metric;             /* m of each */
+  lam_vec3 *chord, *miss;     /* per edge: P1 - P0; c */
+  block (*jacobian)[4];       /* by n0, d0, n1, d1 */
+  int pair_count;
+  pair *pairs;
+  int *column, *row;
+  double *values, *right;
+  lam_factor *factor;
 } fit;
 
-static int slope_node(const fit *f, int v, int turn) { return f->used + 2 * f->node[v] + (turn & 1); }
-static double slope_sign(int turn) { return turn & 2 ? -1 : 1; }
+static const int place_of[4] = {0, 0, 1, 1};
 
-static void add(fit *f, const char *name, lam_kernel kernel, lam_role role, double weight, int count, int arity,
-                const int *nodes, int param_count, double *params) {
-  lam_problem_add(f->problem, (lam_block){.name = name,
-                                          .kernel = kernel,
-                                          .rows = 3,
-                                          .linear = role == LAM_FAIRNESS,
-                                          .role = role,
-                                          .weight = weight,
-                                          .count = count,
-                                          .arity = arity,
-                                          .nodes = nodes,
-                                          .param_count = param_count,
-                                          .params = params});
+/* Unknown k of an edge: n0, d0, n1, d1. */
+static int vector_of(const lam_conormal_arc *e, int k) {
+  int end = place_of[k];
+  return VECTORS * e->vertex[end] + (k % 2 ? 1 + (e->turn[end] & 1) : 0);
 }
+static double sign_of(const lam_conormal_arc *e, int k) { return k % 2 && e->turn[place_of[k]] & 2 ? -1 : 1; }
 
-static void add_edges(fit *f, double third) {
-  enum { CHORD = 6, THIRD = 7 };
-  int *nodes = LAM_NEW(f->arena, int, 4 * f->edge_count);
-  double *chords = LAM_NEW(f->arena, double, CHORD * f->edge_count);
-  double *thirds = LAM_NEW(f->arena, double, THIRD * f->edge_count);
-  for (int k = 0; k < f->edge_count; k++) {
-    const lam_conormal_arc *e = &f->edges[k];
-    lam_vec3 span = lam_sub(f->vertices[e->vertex[1]].point, f->vertices[e->vertex[0]].point);
-    double *p = chords + CHORD * k, *q = thirds + THIRD * k;
-    p[0] = e->sign;
-    for (int c = 0; c < 3; c++) p[3 + c] = (&span.x)[c] / f->unit;
-    double w = (f->weight[f->node[e->vertex[0]]] + f->weight[f->node[e->vertex[1]]]) / 2;
-    for (int i = 0; i < 2; i++) {
-      nodes[4 * k + 2 * i] = f->node[e->vertex[i]];
-      nodes[4 * k + 2 * i + 1] = slope_node(f, e->vertex[i], e->turn[i]);
-      p[1 + i] = slope_sign(e->turn[i]);
-      q[2 * i] = (i ? -12 : 12) * w;
-      q[2 * i + 1] = 6 * w * slope_sign(e->turn[i]);
-    }
-  }
-  add(f, "chord", chord, LAM_HARD, 1, f->edge_count, 4, nodes, CHORD, chords);
-  add(f, "third derivative", combination, LAM_FAIRNESS, third, f->edge_count, 4, nodes, THIRD, thirds);
-}
-
-/* nu'' where an edge continues another one: 6 (n2 - n0) - 2 d0 - 8 d1 - 2 d2. */
-static void add_jumps(fit *f, double weight) {
-  enum { JUMP = 8 };
-  int(*out)[4] = lam_arena_alloc(f->arena, (size_t)f->used, sizeof *out), count = 0;
-  for (int k = 0; k < 2 * f->edge_count; k++) { /* 1 + edge and end, by the direction in which it leaves the vertex */
-    const lam_conormal_arc *e = &f->edges[k / 2];
-    out[f->node[e->vertex[k % 2]]][(e->turn[k % 2] + 2 * (k % 2)) & 3] = 1 + k;
-  }
-  int *nodes = LAM_NEW(f->arena, int, 10 * f->used);
-  double *params = LAM_NEW(f->arena, double, 2 * JUMP * f->used);
-  for (int v = 0; v < f->vertex_count; v++)
-    for (int axis = 0; axis < 2 && f->node[v] >= 0; axis++) {
-      const int *at = out[f->node[v]];
-      if (!at[axis] || !at[axis + 2]) continue;
-      int *node = nodes + 5 * count;
-      double *p = params + JUMP * count++, w = f->weight[f->node[v]];
-      for (int side = 0; side < 2; side++) {
-        int k = at[axis + 2 * side] - 1, far = 1 - k % 2;
-        const lam_conormal_arc *e = &f->edges[k / 2];
-        int turn = e->turn[far] + 2 * (k % 2) + 2 * side; /* along the axis */
-        node[2 * side] = f->node[e->vertex[far]];
-        node[2 * side + 1] = slope_node(f, e->vertex[far], turn);
-        p[2 * side] = (side ? -6 : 6) * w;
-        p[2 * side + 1] = -2 * w * slope_sign(turn);
+/* c of an edge, and its derivatives. */
+static lam_vec3 edge_miss(const fit *f, int edge, const lam_vec3 *x, block *jacobian) {
+  static const double factor[4][4] = {{0, 0.2, 1, -0.2}, {0, 0, 0.2, -1.0 / 30}, {0, 0, 0, 0.2}, {0, 0, 0, 0}};
+  const lam_conormal_arc *e = &f->edges[edge];
+  lam_vec3 sum = lam_scale(f->chord[edge], -1), y[4];
+  for (int k = 0; k < 4; k++) y[k] = x[vector_of(e, k)];
+  for (int k = 0; jacobian && k < 4; k++) jacobian[k] = (block){{{0}}};
+  for (int i = 0; i < 4; i++)
+    for (int j = i + 1; j < 4; j++) {
+      double w = e->sign * sign_of(e, i) * sign_of(e, j) * factor[i][j];
+      sum = lam_along(sum, w, lam_cross(y[i], y[j]));
+      for (int k = 0; jacobian && k < 2; k++) { /* d (a x b) = -b x da + a x db */
+        double(*at)[3] = jacobian[k ? j : i].at;
+        lam_vec3 v = lam_scale(k ? y[i] : y[j], k ? w : -w);
+        at[0][1] -= v.z, at[0][2] += v.y;
+        at[1][0] += v.z, at[1][2] -= v.x;
+        at[2][0] -= v.y, at[2][1] += v.x;
       }
-      node[4] = slope_node(f, v, axis);
-      p[4] = -8 * w;
     }
-  add(f, "second derivative", combination, LAM_FAIRNESS, weight, count, 5, nodes, JUMP, params);
+  return sum;
 }
 
-static void add_closeness(fit *f, double conormal, double slope) {
-  int *nodes = LAM_NEW(f->arena, int, 3 * f->used);
-  double *params = LAM_NEW(f->arena, double, 12 * f->used);
-  for (int k = 0; k < 3 * f->used; k++) {
-    nodes[k] = k;
-    double w = f->weight[k < f->used ? k : (k - f->used) / 2];
-    params[4 * k] = w;
-    for (int c = 0; c < 3; c++) params[4 * k + 1 + c] = w * f->problem->x[3 * k + c];
+static lam_vec3 times(const block *b, lam_vec3 v, bool transposed) {
+  lam_vec3 sum = {0, 0, 0};
+  for (int r = 0; r < 3; r++)
+    for (int c = 0; c < 3; c++) (&sum.x)[transposed ? c : r] += b->at[r][c] * (&v.x)[transposed ? r : c];
+  return sum;
+}
+
+static double largest_miss(const fit *f, const lam_vec3 *x) {
+  double most = 0;
+  for (int k = 0; k < f->edge_count; k++) {
+    double size = lam_length(edge_miss(f, k, x, NULL));
+    if (!(size <= most)) most = size;
   }
-  add(f, "conormal", combination, LAM_FAIRNESS, conormal, f->used, 1, nodes, 4, params);
-  add(f, "slope", combination, LAM_FAIRNESS, slope, 2 * f->used, 1, nodes + f->used, 4, params + 4 * f->used);
+  return most;
 }
 
-static double knob(const char *name, double otherwise) { return getenv(name) ? atof(getenv(name)) : otherwise; }
+/* ---- the equations ---- */
+
+static int by_edges(const void *a, const void *b) {
+  const pair *p = a, *q = b;
+  return p->low != q->low ? p->low - q->low : p->high - q->high;
+}
+
+/* Pairs of edges that share a vertex, ascending and once; the columns of the lower triangle, and their order. */
+static void find_pattern(fit *f) {
+  int n = f->edge_count, *first = LAM_NEW(f->arena, int, f->vertex_count + 1), total = 0, kept = 0;
+  int *at = LAM_NEW(f->arena, int, f->vertex_count), *edge = LAM_NEW(f->arena, int, 2 * n);
+  for (int k = 0; k < 2 * n; k++) first[f->edges[k / 2].vertex[k % 2] + 1]++;
+  for (int v = 0; v < f->vertex_count; v++) {
+    total += first[v + 1] * (first[v + 1] + 1) / 2;
+    first[v + 1] += first[v];
+  }
+  for (int k = 0; k < 2 * n; k++) {
+    int v = f->edges[k / 2].vertex[k % 2];
+    edge[first[v] + at[v]++] = k / 2;
+  }
+  f->pairs = LAM_NEW(f->arena, pair, total);
+  total = 0;
+  for (int v = 0; v < f->vertex_count; v++)
+    for (int i = first[v]; i < first[v + 1]; i++)
+      for (int j = first[v]; j <= i; j++)
+        f->pairs[total++] = edge[i] < edge[j] ? (pair){edge[j], edge[i], 0} : (pair){edge[i], edge[j], 0};
+  qsort(f->pairs, (size_t)total, sizeof *f->pairs, by_edges);
+  for (int k = 0; k < total; k++)
+    if (!kept || by_edges(&f->pairs[k], &f->pairs[kept - 1])) f->pairs[kept++] = f->pairs[k];
+  f->pair_count = kept;
+  f->column = LAM_NEW(f->arena, int, 3 * n + 1);
+  f->row = LAM_NEW(f->arena, int, 9 * kept);
+  int *start = LAM_NEW(f->arena, int, n + 1), *neighbor = LAM_NEW(f->arena, int, 2 * kept), entries = 0;
+  for (int k = 0; k < kept;) {
+    int low = f->pairs[k].low, end = k;
+    while (end < kept && f->pairs[end].low == low) end++;
+    for (int c = 0; c < 3; c++) {
+      f->column[3 * low + c] = entries;
+      for (int i = k; i < end; i++) {
+        if (c == 0) f->pairs[i].start = 3 * (i - k);
+        for (int r = i == k ? c : 0; r < 3; r++) f->row[entries++] = 3 * f->pairs[i].high + r;
+      }
+    }
+    k = end;
+  }
+  f->column[3 * n] = entries;
+  for (int k = 0; k < kept; k++)
+    if (f->pairs[k].high != f->pairs[k].low) {
+      start[f->pairs[k].low + 1]++;
+      start[f->pairs[k].high + 1]++;
+    }
+  for (int k = 0; k < n; k++) start[k + 1] += start[k];
+  int *fill = LAM_NEW(f->arena, int, n), *order = LAM_NEW(f->arena, int, n), *scalar = LAM_NEW(f->arena, int, 3 * n);
+  for (int k = 0; k < kept; k++) {
+    int a = f->pairs[k].low, b = f->pairs[k].high;
+    if (a == b) continue;
+    neighbor[start[a] + fill[a]++] = b;
+    neighbor[start[b] + fill[b]++] = a;
+  }
+  lam_factor_order(f->arena, n, start, neighbor, order);
+  for (int k = 0; k < 3 * n; k++) scalar[k] = 3 * order[k / 3] + k % 3;
+  f->values = LAM_NEW(f->arena, double, entries);
+  f->right = LAM_NEW(f->arena, double, 3 * n);
+  f->factor = lam_factor_analyze(f->arena, 3 * n, f->column, f->row, scalar);
+}
+
+/* J m J^T of two edges. */
+static block product(const fit *f, int a, int b) {
+  block out = {{{0}}};
+  for (int i = 0; i < 4; i++)
+    for (int j = 0; j < 4; j++) {
+      int vector = vector_of(&f->edges[a], i);
+      if (vector != vector_of(&f->edges[b], j)) continue;
+      for (int r = 0; r < 3; r++)
+        for (int c = 0; c < 3; c++)
+          for (int k = 0; k < 3; k++)
+            out.at[r][c] += f->metric[vector] * f->jacobian[a][i].at[r][k] * f->jacobian[b][j].at[c][k];
+    }
+  return out;
+}
+
+static void assemble(fit *f, double pull) {
+  for (int k = 0; k < f->edge_count; k++) {
+    f->miss[k] = edge_miss(f, k, f->x, f->jacobian[k]);
+    lam_vec3 right = f->miss[k];
+    for (int i = 0; i < 4; i++) {
+      int v = vector_of(&f->edges[k], i);
+      right = lam_along(right, pull, times(&f->jacobian[k][i], lam_sub(f->start[v], f->x[v]), false));
+    }
+    memcpy(f->right + 3 * k, &right, sizeof right);
+  }
+  for (int k = 0; k < f->pair_count; k++) {
+    const pair *p = &f->pairs[k];
+    block b = product(f, p->high, p->low);
+    for (int c = 0; c < 3; c++)
+      for (int r = p->high == p->low ? c : 0; r < 3; r++)
+        f->values[f->column[3 * p->low + c] + p->start - c + r] =
+            b.at[r][c] * (r == c && p->high == p->low ? 1 + 1e-14 : 1);
+  }
+}
+
+/* One step to equations met to first order; halved until they are met better. Returns what is missed then. */
+static double take_step(fit *f, double pull, double missed) {
+  assemble(f, pull);
+  if (!lam_factor_refactor(f->factor, f->values)) return INFINITY;
+  lam_factor_solve(f->factor, f->right, f->right);
+  int n = VECTORS * f->vertex_count;
+  for (int v = 0; v < n; v++) f->step[v] = lam_scale(lam_sub(f->start[v], f->x[v]), pull);
+  for (int k = 0; k < f->edge_count; k++) {
+    lam_vec3 y = {f->right[3 * k], f->right[3 * k + 1], f->right[3 * k + 2]};
+    for (int i = 0; i < 4; i++) {
+      int v = vector_of(&f->edges[k], i);
+      f->step[v] = lam_along(f->step[v], -f->metric[v], times(&f->jacobian[k][i], y, true));
+    }
+  }
+  double length = 1, reached = INFINITY;
+  for (int attempt = 0; attempt < 8; attempt++, length /= 2) {
+    for (int v = 0; v < n; v++) f->x[v] = lam_along(f->x[v], attempt ? -length : length, f->step[v]);
+    reached = largest_miss(f, f->x);
+    if (reached <= fmax((1 - length / 10) * missed, pull > 0 ? 1e-3 : 0)) break;
+  }
+  return reached;
+}
+
+static void prepare(fit *f) {
+  int n = VECTORS * f->vertex_count;
+  for (int k = 0; k < f->edge_count; k++) {
+    const int *v = f->edges[k].vertex;
+    f->unit += lam_distance(f->vertices[v[0]].point, f->vertices[v[1]].point) / f->edge_count;
+  }
+  f->x = LAM_NEW(f->arena, lam_vec3, n);
+  f->start = LAM_NEW(f->arena, lam_vec3, n);
+  f->step = LAM_NEW(f->arena, lam_vec3, n);
+  f->metric = LAM_NEW(f->arena, double, n);
+  for (int v = 0; v < n; v++) {
+    const lam_conormal_vertex *from = &f->vertices[v / VECTORS];
+    int number = v % VECTORS;
+    f->start[v] = f->x[v] = lam_scale(number ? from->slope[number - 1] : from->conormal, 1 / sqrt(f->unit));
+    double square = lam_dot(from->conormal, from->conormal) / f->unit;
+    f->metric[v] = number ? 1 / square : square;
+  }
+  f->chord = LAM_NEW(f->arena, lam_vec3, f->edge_count);
+  f->miss = LAM_NEW(f->arena, lam_vec3, f->edge_count);
+  f->jacobian = lam_arena_alloc(f->arena, (size_t)f->edge_count, sizeof *f->jacobian);
+  for (int k = 0; k < f->edge_count; k++) {
+    const int *v = f->edges[k].vertex;
+    f->chord[k] = lam_scale(lam_sub(f->vertices[v[1]].point, f->vertices[v[0]].point), 1 / f->unit);
+  }
+}
 #include <stdio.h>
+#include <time.h>
 
 lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int edge_count,
                               const lam_conormal_arc *edges) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
   fit f = {.arena = arena, .vertex_count = vertex_count, .edge_count = edge_count, .vertices = vertices};
+  lam_skin_fit result = {.steps = 0};
   f.edges = edges;
-  f.node = LAM_NEW(arena, int, vertex_count);
-  for (int v = 0; v < vertex_count; v++) f.node[v] = -1;
-  for (int k = 0; k < edge_count; k++) {
-    f.unit += lam_distance(vertices[edges[k].vertex[0]].point, vertices[edges[k].vertex[1]].point) / edge_count;
-    for (int i = 0; i < 2; i++) f.node[edges[k].vertex[i]] = 0;
+  clock_t t = clock();
+  prepare(&f);
+  find_pattern(&f);
+  double missed = largest_miss(&f, f.x);
+  for (int step = 0; step < STEPS && missed > tolerance; step++) {
+    if (getenv("KV")) fprintf(stderr, "%d %g\n", step, missed);
+    double before = missed;
+    missed = take_step(&f, step < PULLED && missed > 1e-9 ? 1 : 0, missed);
+    result.steps++;
+    if (!isfinite(missed) || (before <= sufficient && missed >= before / 2)) break;
   }
-  lam_vec3 *start = LAM_NEW(arena, lam_vec3, vertex_count);
+  if (getenv("KV"))
+    fprintf(stderr, "%d iterations %g  %g s, factor flops %g\n", result.steps, missed,
+            (double)(clock() - t) / CLOCKS_PER_SEC, lam_factor_get_stats(f.factor).flops);
+  result.missed = missed * f.unit;
+  result.converged = missed <= sufficient;
   double root = sqrt(f.unit);
-  for (int v = 0; v < vertex_count; v++) {
-    if (f.node[v] < 0) continue;
-    f.node[v] = f.used;
-    start[f.used++] = lam_scale(vertices[v].conormal, 1 / root);
-  }
-  f.problem = lam_problem_new(arena, f.used, start);
-  f.weight = LAM_NEW(arena, double, f.used);
-  for (int k = 0; k < f.used; k++) f.weight[k] = lam_length(start[k]);
-  for (int v = 0; v < vertex_count; v++)
-    for (int d = 0; d < 2 && f.node[v] >= 0; d++) {
-      lam_vec3 slope = lam_scale(vertices[v].slope[d], 1 / root);
-      lam_problem_node(f.problem, 3, &slope.x);
-    }
-  add_edges(&f, knob("K3", 1));
-  add_jumps(&f, knob("K2", 1));
-  add_closeness(&f, knob("KN", 0.01), knob("KD", 0.01));
-  lam_schedule schedule = lam_schedule_default();
-  schedule.fairness = knob("KW", 1);
-  schedule.hold = (int)knob("KH", 1);
-  schedule.decay = knob("KQ", 0.2);
-  schedule.floor = knob("KF", 1e-3);
-  schedule.tolerance = 1e-13;
-  schedule.max_iterations = 60;
-  lam_solution s = lam_guided_solve(f.problem, &schedule, NULL);
-  if (getenv("KV")) {
-    for (int i = 0; i < s.history_count; i++) fprintf(stderr, "%d %g\n", i, s.history[i]);
-    fprintf(stderr, "%s, %d unknowns %d equations, %d iterations, residual %g, %g s, factor %g s, assembly %g\n",
-            s.reason, s.unknowns, s.residuals, s.iterations, s.residual, s.seconds_total, s.seconds_factor,
-            s.seconds_assembly);
-  }
-  lam_skin_fit result = {.converged = s.converged, .reason = s.reason, .iterations = s.iterations};
-  result.residual = s.residual * f.unit;
-  for (int v = 0; v < vertex_count; v++) {
-    if (f.node[v] < 0) continue;
-    const double *x = f.problem->x + 3 * f.node[v], *y = f.problem->x + 3 * (f.used + 2 * f.node[v]);
-    lam_vec3 before = vertices[v].conormal;
-    vertices[v].conormal = lam_v3(root * x[0], root * x[1], root * x[2]);
+  for (int v = 0; v < vertex_count && isfinite(missed); v++) {
+    const lam_vec3 *x = f.x + VECTORS * v, before = vertices[v].conormal;
+    vertices[v].conormal = lam_scale(x[0], root);
+    for (int d = 0; d < 2; d++) vertices[v].slope[d] = lam_scale(x[1 + d], root);
     result.tilt = fmax(result.tilt, lam_angle(before, vertices[v].conormal));
-    for (int d = 0; d < 2; d++)
-      vertices[v].slope[d] = lam_v3(root * y[3 * d], root * y[3 * d + 1], root * y[3 * d + 2]);
   }
+  lam_arena_release(arena, mark);
   return result;
 }

@@ -29,11 +29,10 @@ typedef struct lam_conormal_vertex {
 
 /* How the conormals of a skin were found. */
 typedef struct lam_skin_fit {
-  bool converged;
-  const char *reason; /* why it ended */
-  int iterations;
-  double residual;    /* m: how far an edge misses its vertex along a coordinate */
-  double tilt;        /* rad: largest angle between a conormal and its start */
+  bool converged; /* every edge ends at its vertex to 1e-11 of the mean edge */
+  int steps;
+  double missed;      /* m: the largest distance of the end of an edge from its vertex */
+  double tilt;        /* rad: the largest angle between a conormal and its start */
   int contradictions; /* edges of a net that has no torsion of one sign along a family */
   int made;           /* patches */
 } lam_skin_fit;
