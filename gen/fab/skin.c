@@ -49,13 +49,11 @@ static bool fill_net(skin *s, lam_place place) {
     return false;
   }
   lam_asymptotic_patch *patches = LAM_NEW(shop->arena, lam_asymptotic_patch, cells.cell_count);
-  lam_errors reasons = {.arena = shop->arena};
   lam_skin_fit fit = lam_asymptotic_skin_fill(shop->arena, shop->net->mesh.vertex_count, cells.vertices,
-                                              cells.cell_count, cells.cells, place, &reasons, patches);
+                                              cells.cell_count, cells.cells, patches);
   int made = fit.made;
   if (made == 0) {
-    lam_error_add(shop->errors, place, "kind", "no cell can be filled; the first one because %s",
-                  reasons.first ? reasons.first->text : "it is degenerate");
+    lam_error_add(shop->errors, place, "kind", "no cell can be filled: all patches fold over; expected a smoother net");
     return false;
   }
   keep_patches(s, cells.cell_count, patches);
@@ -65,9 +63,7 @@ static bool fill_net(skin *s, lam_place place) {
   if (cells.irregular)
     lam_stage_note(shop->arena, s->stage, "%d cells left out: no two lines cross at one of their corners",
                    cells.irregular);
-  if (folded)
-    lam_stage_note(shop->arena, s->stage, "%d cells left out, the first one because %s", folded,
-                   reasons.first ? reasons.first->text : "it is degenerate");
+  if (folded) lam_stage_note(shop->arena, s->stage, "%d cells left out: their patches fold over along an edge", folded);
   if (cells.uncovered)
     lam_stage_note(shop->arena, s->stage, "%d faces of the net lie in no cell of %d x %d faces", cells.uncovered,
                    cells.every, cells.every);

@@ -118,7 +118,9 @@ double lam_skin_distance(const lam_net *net, const lam_skin_net *cells, const la
         int back, v = lam_skin_walk(net, cells->sides[c][s][0], cells->sides[c][s][1], k, &back);
         double t = (double)k / cells->every;
         double dd = distance_from(&patches[c].boundary.curve[s], t, net->mesh.vertices[v]);
-        if (getenv("KP") && dd > atof(getenv("KP"))) fprintf(stderr, "far %g at %g %g %g\n", dd, net->mesh.vertices[v].x, net->mesh.vertices[v].y, net->mesh.vertices[v].z);
+        if (getenv("KP") && dd > atof(getenv("KP")))
+          fprintf(stderr, "far %g at %g %g %g\n", dd, net->mesh.vertices[v].x, net->mesh.vertices[v].y,
+                  net->mesh.vertices[v].z);
         most = fmax(most, dd);
       }
   return most;

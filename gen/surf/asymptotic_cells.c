@@ -70,11 +70,11 @@ static lam_conormal_edge side_of(const lam_conormal_vertex *vertices, const lam_
 }
 
 lam_skin_fit lam_asymptotic_skin_fill(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int cell_count,
-                                      const lam_skin_cell *cells, lam_place place, lam_errors *errors,
-                                      lam_asymptotic_patch *patches) {
-  int order, total;
+                                      const lam_skin_cell *cells, lam_asymptotic_patch *patches) {
+  int order, count;
   const double *knots = lam_knots_repeat(arena, LAM_CONORMAL_CURVE, 0, NULL, 1, &order);
-  const double *surface_knots = lam_knots_repeat(arena, LAM_CONORMAL_SURFACE, 0, NULL, 1, &total);
+  const double *surface_knots = lam_knots_repeat(arena, LAM_CONORMAL_SURFACE, 0, NULL, 1, &count);
+  const lam_conormal_plate *plate = lam_conormal_plate_make(arena);
   lam_conormal_arc *arcs = LAM_NEW(arena, lam_conormal_arc, 4 * cell_count);
   int(*side_arc)[4] = lam_arena_alloc(arena, (size_t)cell_count, sizeof *side_arc);
   int arc_count = list_arcs(arena, cell_count, cells, arcs, side_arc);
@@ -90,16 +90,12 @@ lam_skin_fit lam_asymptotic_skin_fill(lam_arena *arena, int vertex_count, lam_co
       patch->boundary.curve[c] =
           (lam_quad_curve){LAM_CONORMAL_CURVE, LAM_CONORMAL_CURVE + 1, knots, sides[c].points, NULL, false};
     }
-    lam_vec3 *points = LAM_NEW(arena, lam_vec3, total * total);
-    lam_arena_mark mark = lam_arena_mark_get(arena);
-    if (!lam_conormal_patch_make(arena, sides, place, errors, patch)) {
-      patch->surface = (lam_spline_surface){0}; /* the memory may hold the message */
-      continue;
-    }
-    memcpy(points, patch->surface.points, (size_t)(total * total) * sizeof *points);
-    lam_arena_release(arena, mark);
-    patch->surface.points = points;
-    patch->surface.knots[0] = patch->surface.knots[1] = surface_knots;
+    lam_vec3 *points = LAM_NEW(arena, lam_vec3, count * count);
+    if (!lam_conormal_patch_make(plate, sides, points, &patch->energy)) continue;
+    patch->surface = (lam_spline_surface){.degree = {LAM_CONORMAL_SURFACE, LAM_CONORMAL_SURFACE},
+                                          .count = {count, count},
+                                          .knots = {surface_knots, surface_knots},
+                                          .points = points};
     fit.made++;
   }
   return fit;

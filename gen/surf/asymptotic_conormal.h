@@ -40,8 +40,12 @@ typedef struct lam_conormal_edge {
 } lam_conormal_edge;
 
 lam_conormal_edge lam_conormal_edge_make(const lam_conormal_vertex *vertices, const lam_conormal_arc *edge);
-/* The patch over four edges, in the order and direction r1, r2, r3, r4; patch->boundary is given. */
-bool lam_conormal_patch_make(lam_arena *arena, const lam_conormal_edge edges[4], lam_place place, lam_errors *errors,
-                             lam_asymptotic_patch *patch);
+/* What all patches share: 8 x 8 control points over the unit square, and their thin-plate energy. Owned by arena. */
+typedef struct lam_conormal_plate lam_conormal_plate;
+const lam_conormal_plate *lam_conormal_plate_make(lam_arena *arena);
+/* The 8 x 8 control points, v running fastest, of the patch over four edges in the order and direction r1, r2, r3, r4.
+ * false: it folds over along an edge. */
+bool lam_conormal_patch_make(const lam_conormal_plate *plate, const lam_conormal_edge edges[4], lam_vec3 *points,
+                             double *energy);
 
 #endif

@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 40, PULLED = 8, VECTORS = 3 };              /* of a vertex: conormal and slopes */
+enum { STEPS = 40, PULLED = 0, VECTORS = 3 };              /* of a vertex: conormal and slopes */
 static const double tolerance = 1e-14, sufficient = 1e-11; /* mean edges */
 
 typedef struct block {

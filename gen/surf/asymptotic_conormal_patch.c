@@ -1,143 +1,253 @@
-/* A patch over four asymptotic curves with their conormals nu: the tangents across an edge are T = sum z_k nu x e_k
- * with z of degree 4 and e_k the axes, so that both patches along it share their tangent planes. z = q nu gives
- * nothing: q, of degree 1, is kept at 0. The other coefficients and the inner points of the control net are those of
- * the least thin-plate energy (thesis, eq. 2.8), subject to T at the ends of every curve and equal T' where curves
- * meet. */
+/* A patch over four asymptotic curves with their conormals nu. With m the mean direction of nu along an edge, and a, b,
+ * m right-handed, orthogonal and of length 1, the tangents across it are T = x nu x a + y nu x b,  that is  T.b = x
+ * (nu.m),  T.a = -y (nu.m): in the tangent planes of both patches along the edge. x and y have degree 4, T has degree 7
+ * as the patch. T at the ends is the derivative of the crossing curve, which gives the first coefficients; T' = w there
+ * is the mixed derivative, x1 = x0 + (w.b - x0 nu'.m) / (4 nu.m),  y1 = y0 - (w.a + y0 nu'.m) / (4 nu.m), the same for
+ * both curves. w.nu = -r_v.nu_u = -r_u.nu_v is given, its part in the tangent plane is free: two numbers at every
+ * corner. With the middle coefficients of x and y along every edge they are 16, and minimize the thin-plate energy
+ * (thesis, eq. 2.8) together with the inner points of the control net. */
 #include "core/dense.h"
-#include "curve/collocation.h"
 #include "surf/asymptotic_conormal.h"
 
+#include <string.h>
+
 enum {
-  CROSS = LAM_CONORMAL_SURFACE - LAM_CONORMAL_DEGREE,
-  GAUGE = CROSS - LAM_CONORMAL_DEGREE + 1,
-  EACH = 3 * (CROSS + 1),
-  COUNT = 4 * EACH,
-  ROWS = 36 + 4 * GAUGE
+  SIDE = LAM_CONORMAL_SURFACE + 1,
+  TOTAL = SIDE * SIDE,
+  CROSS = 5,   /* coefficients of x and of y */
+  FREE = 16,   /* numbers: two per corner, then two per edge */
+  PLACES = 17, /* where folds are looked for */
 };
 
-/* Bernstein polynomials of a degree with first derivatives. */
-static void bernstein(int degree, double t, double *value, double *slope) {
-  value[0] = 1;
-  for (int n = 1; n <= degree; n++) {
-    if (n == degree)
-      for (int i = 0; i <= n; i++) slope[i] = n * ((i ? value[i - 1] : 0) - (i < n ? value[i] : 0));
-    value[n] = 0;
-    for (int i = n; i >= 0; i--) value[i] = (1 - t) * value[i] + (i ? t * value[i - 1] : 0);
+struct lam_conormal_plate {
+  double stiffness[TOTAL][TOTAL]; /* of the outer two rings, the inner points being those of least energy */
+  double lift[TOTAL][TOTAL];      /* points, by those of the outer two rings */
+};
+
+static bool is_inner(int k) { return k / SIDE > 1 && k / SIDE < SIDE - 2 && k % SIDE > 1 && k % SIDE < SIDE - 2; }
+
+const lam_conormal_plate *lam_conormal_plate_make(lam_arena *arena) {
+  lam_conormal_plate *out = LAM_NEW(arena, lam_conormal_plate, 1);
+  lam_thin_plate plate;
+  int count, degree = LAM_CONORMAL_SURFACE;
+  const double *knots = lam_knots_repeat(arena, degree, 0, NULL, 1, &count);
+  lam_thin_plate_make(arena, (int[2]){degree, degree}, (int[2]){SIDE, SIDE}, (const double *const[2]){knots, knots},
+                      &plate);
+  for (int k = 0; k < TOTAL; k++) {
+    double net[TOTAL] = {0}, pull[TOTAL];
+    if (is_inner(k)) continue;
+    net[k] = 1;
+    lam_thin_plate_fill(arena, &plate, net);
+    lam_thin_plate_apply(arena, &plate, net, pull);
+    for (int i = 0; i < TOTAL; i++) {
+      out->lift[i][k] = net[i];
+      out->stiffness[i][k] = is_inner(i) ? 0 : pull[i];
+    }
+  }
+  return out;
+}
+
+/* Point k of ring 0 (on the edge) or 1 along a side. */
+static int ring_index(int side, int ring, int k) {
+  int place = side < 2 ? ring : SIDE - 1 - ring;
+  return side % 2 ? place * SIDE + k : k * SIDE + place;
+}
+
+/* ---- along an edge ---- */
+
+/* What the tangents across an edge are made of, and their coefficients. */
+typedef struct across {
+  lam_vec3 a, b, m;
+  const lam_vec3 *conormals;
+  double x[CROSS], y[CROSS];
+} across;
+
+static across across_start(const lam_conormal_edge *edge) {
+  across out = {.conormals = edge->conormals};
+  for (int k = 0; k < LAM_CONORMAL_POINTS; k++) out.m = lam_add(out.m, lam_unit(edge->conormals[k]));
+  out.m = lam_unit(out.m);
+  lam_vec3 chord = lam_sub(edge->points[LAM_CONORMAL_CURVE], edge->points[0]);
+  out.a = lam_unit(lam_along(chord, -lam_dot(chord, out.m), out.m));
+  out.b = lam_cross(out.m, out.a);
+  return out;
+}
+
+/* nu.m and nu'.m at an end. */
+static void end_values(const across *c, int end, double *value, double *slope) {
+  const lam_vec3 *nu = c->conormals + (end ? LAM_CONORMAL_DEGREE - 1 : 0);
+  *value = lam_dot(nu[end], c->m);
+  *slope = LAM_CONORMAL_DEGREE * lam_dot(lam_sub(nu[1], nu[0]), c->m);
+}
+
+static void set_tangent(across *c, int end, lam_vec3 tangent) {
+  double value, slope;
+  end_values(c, end, &value, &slope);
+  c->x[end ? CROSS - 1 : 0] = lam_dot(tangent, c->b) / value;
+  c->y[end ? CROSS - 1 : 0] = -lam_dot(tangent, c->a) / value;
+}
+
+/* With the tangent set; a free part of w alone, without. */
+static void set_twist(across *c, int end, lam_vec3 w) {
+  double value, slope, step = (end ? -1.0 : 1.0) / (CROSS - 1);
+  int at = end ? CROSS - 1 : 0, next = end ? CROSS - 2 : 1;
+  end_values(c, end, &value, &slope);
+  c->x[next] = c->x[at] + step * (lam_dot(w, c->b) - c->x[at] * slope) / value;
+  c->y[next] = c->y[at] - step * (lam_dot(w, c->a) + c->y[at] * slope) / value;
+}
+
+static double choose(int n, int k) { return k ? choose(n, k - 1) * (n - k + 1) / k : 1; }
+
+/* Adds T / 7 to the second ring. */
+static void add_tangents(const across *c, int side, lam_vec3 net[TOTAL]) {
+  lam_vec3 t[SIDE] = {{0, 0, 0}};
+  for (int j = 0; j < LAM_CONORMAL_POINTS; j++)
+    for (int i = 0; i < CROSS; i++) {
+      lam_vec3 axis = lam_along(lam_scale(c->a, c->x[i]), c->y[i], c->b);
+      double factor = choose(CROSS - 1, i) * choose(LAM_CONORMAL_DEGREE, j) / choose(LAM_CONORMAL_SURFACE, i + j);
+      t[i + j] = lam_along(t[i + j], factor, lam_cross(c->conormals[j], axis));
+    }
+  int skip = side % 2 ? 2 : 1; /* the points in the corners of the ring belong to r1 and r3 */
+  for (int k = skip; k < SIDE - skip; k++) {
+    lam_vec3 *point = &net[ring_index(side, 1, k)];
+    *point = lam_along(*point, (side < 2 ? 1.0 : -1.0) / LAM_CONORMAL_SURFACE, t[k]);
   }
 }
 
-static double choose(int n, int k) { return k ? choose(n - 1, k - 1) * n / k : 1; }
+static double bernstein(int degree, int k, double t) { return choose(degree, k) * pow(t, k) * pow(1 - t, degree - k); }
 
-/* What coefficient k of z adds to T and T' of its curve at t. */
-static void shape_eval(const lam_conormal_edge *edges, int k, double t, lam_vec3 *value, lam_vec3 *slope) {
-  const lam_vec3 *c = edges[k / EACH].conormals, axis = {k % 3 == 0, k % 3 == 1, k % 3 == 2};
-  int index = k % EACH / 3;
-  double own[2][CROSS + 1], of_field[2][LAM_CONORMAL_POINTS];
-  bernstein(CROSS, t, own[0], own[1]);
-  bernstein(LAM_CONORMAL_DEGREE, t, of_field[0], of_field[1]);
-  lam_vec3 field = {0, 0, 0}, change = {0, 0, 0};
-  for (int i = 0; i < LAM_CONORMAL_POINTS; i++) {
-    field = lam_along(field, of_field[0][i], c[i]);
-    change = lam_along(change, of_field[1][i], c[i]);
-  }
-  field = lam_cross(field, axis);
-  *value = lam_scale(field, own[0][index]);
-  *slope = lam_along(lam_scale(lam_cross(change, axis), own[0][index]), own[1][index], field);
-}
-
-/* T at the ends of every curve, equal T' where curves meet, no part along nu in z: rows z = right. */
-static void list_conditions(const lam_quad_boundary *b, const lam_conormal_edge *edges, double *rows, double *right) {
-  for (int corner = 0; corner < 4; corner++) {
-    lam_vec3 jet[2][4];
-    double size = 0;
-    for (int k = 0; k < 2; k++) {
-      lam_quad_end end = lam_quad_meeting[corner][k];
-      lam_quad_curve_eval(&b->curve[end.curve], end.end, jet[k]);
-      size = fmax(size, lam_length(jet[k][1]));
+/* T stays on one side of its curve, or the surface folds over: r' x T = nu times a function of one sign. */
+static bool folds(const lam_conormal_edge *edge, const across *c) {
+  double last = 0;
+  for (int g = 0; g < PLACES; g++) {
+    double t = (double)g / (PLACES - 1), x = 0, y = 0;
+    lam_vec3 nu = {0, 0, 0}, along = {0, 0, 0};
+    for (int k = 0; k < CROSS; k++) {
+      x += bernstein(CROSS - 1, k, t) * c->x[k];
+      y += bernstein(CROSS - 1, k, t) * c->y[k];
     }
-    for (int side = 0; side < 2; side++) {
-      lam_quad_end end = lam_quad_meeting[corner][side];
-      for (int k = end.curve * EACH; k < (end.curve + 1) * EACH; k++) {
-        lam_vec3 value, slope;
-        shape_eval(edges, k, end.end, &value, &slope);
-        for (int c = 0; c < 3; c++) {
-          rows[(9 * corner + 3 * side + c) * COUNT + k] = (&value.x)[c] / size;
-          rows[(9 * corner + 6 + c) * COUNT + k] = (side ? -1 : 1) * (&slope.x)[c] / size;
-        }
-      }
-      for (int c = 0; c < 3; c++) right[9 * corner + 3 * side + c] = (&jet[1 - side][1].x)[c] / size;
-    }
-  }
-  for (int i = 0; i < 4; i++) { /* q nu, with q in Bernstein form */
-    const lam_vec3 *nu = edges[i].conormals;
-    double size = lam_length(nu[0]);
-    for (int q = 0; q < GAUGE; q++)
-      for (int j = 0; j < LAM_CONORMAL_POINTS; j++)
-        for (int c = 0; c < 3; c++)
-          rows[(36 + GAUGE * i + q) * COUNT + i * EACH + 3 * (j + q) + c] =
-              choose(GAUGE - 1, q) * choose(LAM_CONORMAL_DEGREE, j) / choose(CROSS, j + q) * (&nu[j].x)[c] / size;
-  }
-}
-
-/* T stays on one side of its curve, or the surface folds over: r' x T keeps near its own direction from place to place.
- */
-static bool folds(const lam_quad_boundary *b, const lam_conormal_edge *edges, int curve, const double *z) {
-  enum { PLACES = 32 };
-  lam_vec3 last = {0, 0, 0};
-  for (int g = 0; g <= PLACES; g++) {
-    lam_vec3 jet[4], tangent = {0, 0, 0}, value, slope;
-    double t = (double)g / PLACES;
-    for (int k = curve * EACH; k < (curve + 1) * EACH; k++) {
-      shape_eval(edges, k, t, &value, &slope);
-      tangent = lam_along(tangent, z[k], value);
-    }
-    lam_quad_curve_eval(&b->curve[curve], t, jet);
-    lam_vec3 normal = lam_cross(jet[1], tangent);
-    if (g && !(lam_dot(normal, last) > 0)) return true;
-    last = normal;
+    for (int k = 0; k < LAM_CONORMAL_POINTS; k++)
+      nu = lam_along(nu, bernstein(LAM_CONORMAL_DEGREE, k, t), edge->conormals[k]);
+    for (int k = 0; k < LAM_CONORMAL_CURVE; k++)
+      along = lam_along(along, bernstein(LAM_CONORMAL_CURVE - 1, k, t), lam_sub(edge->points[k + 1], edge->points[k]));
+    lam_vec3 tangent = lam_cross(nu, lam_along(lam_scale(c->a, x), y, c->b));
+    double side = lam_dot(lam_cross(along, tangent), nu);
+    if (g && !(side * last > 0)) return true;
+    last = side;
   }
   return false;
 }
 
-bool lam_conormal_patch_make(lam_arena *arena, const lam_conormal_edge edges[4], lam_place place, lam_errors *errors,
-                             lam_asymptotic_patch *patch) {
-  static const lam_quad_recipe recipe = {.degree = LAM_CONORMAL_CURVE, .surface = LAM_CONORMAL_SURFACE};
-  const lam_quad_boundary *b = &patch->boundary;
-  lam_quad_spaces spaces;
-  lam_thin_plate plate;
-  lam_quad_spaces_make(arena, b, &recipe, &spaces);
-  if (!lam_quad_plate(arena, &spaces, &plate)) return false;
-  int total = plate.count[0] * plate.count[1];
-  lam_vec3 *net = lam_quad_rings(arena, &spaces), *part[COUNT];
-  lam_quad_net_fill(arena, &plate, net);
-  const lam_vec3 *pull = lam_quad_net_gradient(arena, &plate, net);
-  double *h = LAM_NEW(arena, double, COUNT *COUNT), g[COUNT] = {0}, z[COUNT];
-  for (int k = 0; k < COUNT; k++) {
-    const lam_collocation *space = &spaces.space[k / EACH % 2];
-    lam_vec3 *values = LAM_NEW(arena, lam_vec3, space->count), slope;
-    for (int j = 0; j < space->count; j++) shape_eval(edges, k, space->places[j], &values[j], &slope);
-    lam_collocation_solve(arena, space, 3, &values[0].x);
-    part[k] = LAM_NEW(arena, lam_vec3, total);
-    lam_quad_ring_add(&spaces, k / EACH, values, part[k]);
-    lam_quad_net_fill(arena, &plate, part[k]);
-    const lam_vec3 *gradient = lam_quad_net_gradient(arena, &plate, part[k]);
-    g[k] = lam_quad_net_product(total, part[k], pull);
-    for (int l = 0; l <= k; l++) h[k * COUNT + l] = h[l * COUNT + k] = lam_quad_net_product(total, part[l], gradient);
+/* ---- the patch ---- */
+
+/* r' at an end. */
+static lam_vec3 end_tangent(const lam_conormal_edge *edge, int end) {
+  const lam_vec3 *p = edge->points + (end ? LAM_CONORMAL_CURVE - 1 : 0);
+  return lam_scale(lam_sub(p[1], p[0]), LAM_CONORMAL_CURVE);
+}
+
+typedef struct frame {
+  across side[4];
+  lam_vec3 tangent[4][2], twist[4]; /* at the corners: r_u, r_v; w */
+} frame;
+
+static void twist_corner(frame *f, int corner) {
+  for (int k = 0; k < 2; k++) {
+    lam_quad_end end = lam_quad_meeting[corner][k];
+    set_twist(&f->side[end.curve], end.end, f->twist[corner]);
   }
-  double *rows = LAM_NEW(arena, double, ROWS *COUNT), right[ROWS] = {0};
-  list_conditions(b, edges, rows, right);
-  if (lam_least_energy(arena, COUNT, h, g, ROWS, rows, right, 1e-9, z) != LAM_LEAST_FOUND) {
-    lam_error_add(errors, place, "kind", "no tangents of least energy across the edges of a cell");
-    return false;
+}
+
+/* All free numbers are 0. */
+static void frame_start(const lam_conormal_edge edges[4], frame *f) {
+  for (int i = 0; i < 4; i++) f->side[i] = across_start(&edges[i]);
+  for (int corner = 0; corner < 4; corner++) {
+    const lam_quad_end *end = lam_quad_meeting[corner];
+    lam_vec3 *tangent = f->tangent[corner];
+    for (int k = 0; k < 2; k++) tangent[k] = end_tangent(&edges[end[k].curve], end[k].end);
+    for (int k = 0; k < 2; k++) set_tangent(&f->side[end[k].curve], end[k].end, tangent[1 - k]);
+    const lam_vec3 *nu = edges[end[0].curve].conormals + (end[0].end ? LAM_CONORMAL_DEGREE - 1 : 0);
+    lam_vec3 normal = nu[end[0].end], slope = lam_scale(lam_sub(nu[1], nu[0]), LAM_CONORMAL_DEGREE);
+    f->twist[corner] = lam_scale(normal, -lam_dot(tangent[1], slope) / lam_dot(normal, normal));
+    twist_corner(f, corner);
   }
-  for (int k = 0; k < COUNT; k++)
-    for (int i = 0; i < total; i++) net[i] = lam_along(net[i], z[k], part[k][i]);
-  patch->energy = lam_quad_net_product(total, net, lam_quad_net_gradient(arena, &plate, net));
-  lam_quad_patch_finish(&spaces, net, &patch->surface);
-  for (int i = 0; i < 4; i++)
-    if (folds(b, edges, i, z)) {
-      lam_error_add(errors, place, "kind", "the surface of least energy folds over along an edge of a cell");
-      return false;
+}
+
+/* What each free number adds to the control net. */
+static void list_parts(const lam_conormal_edge edges[4], const frame *f, lam_vec3 part[FREE][TOTAL]) {
+  for (int k = 0; k < 16; k++) { /* corner and direction, curve */
+    lam_quad_end end = lam_quad_meeting[k / 4][k % 2];
+    int d = k / 2 % 2;
+    across alone = across_start(&edges[end.curve]);
+    set_twist(&alone, end.end, f->tangent[k / 4][d]);
+    add_tangents(&alone, end.curve, part[2 * (k / 4) + d]);
+  }
+  for (int k = 0; k < 8; k++) {
+    across alone = across_start(&edges[k / 2]);
+    (k % 2 ? alone.y : alone.x)[CROSS / 2] = 1;
+    add_tangents(&alone, k / 2, part[8 + k]);
+  }
+}
+
+static void frame_move(frame *f, const double z[FREE]) {
+  for (int corner = 0; corner < 4; corner++) {
+    for (int d = 0; d < 2; d++)
+      f->twist[corner] = lam_along(f->twist[corner], z[2 * corner + d], f->tangent[corner][d]);
+    twist_corner(f, corner);
+  }
+  for (int k = 0; k < 8; k++) (k % 2 ? f->side[k / 2].y : f->side[k / 2].x)[CROSS / 2] += z[8 + k];
+}
+
+static double product(const lam_vec3 *a, const lam_vec3 *b) {
+  double sum = 0;
+  for (int k = 0; k < TOTAL; k++) sum += lam_dot(a[k], b[k]);
+  return sum;
+}
+
+static void apply(const double matrix[TOTAL][TOTAL], const lam_vec3 *net, lam_vec3 *out) {
+  for (int i = 0; i < TOTAL; i++) out[i] = lam_v3(0, 0, 0);
+  for (int k = 0; k < TOTAL; k++) {
+    if (net[k].x == 0 && net[k].y == 0 && net[k].z == 0) continue;
+    for (int i = 0; i < TOTAL; i++) out[i] = lam_along(out[i], matrix[i][k], net[k]);
+  }
+}
+
+/* The outer ring, and the same in the second one. */
+static void set_rings(const lam_conormal_edge edges[4], lam_vec3 net[TOTAL]) {
+  for (int i = 0; i < 4; i++) {
+    lam_vec3 points[SIDE];
+    memcpy(points, edges[i].points, sizeof edges[i].points);
+    lam_bezier_elevate(LAM_CONORMAL_CURVE, LAM_CONORMAL_SURFACE, 3, &points[0].x);
+    for (int k = 0; k < SIDE; k++) {
+      net[ring_index(i, 0, k)] = points[k];
+      if (k > i % 2 && k < SIDE - 1 - i % 2) net[ring_index(i, 1, k)] = points[k];
     }
+  }
+}
+
+bool lam_conormal_patch_make(const lam_conormal_plate *plate, const lam_conormal_edge edges[4], lam_vec3 *points,
+                             double *energy) {
+  frame f;
+  lam_vec3 part[FREE][TOTAL] = {{{0, 0, 0}}}, net[TOTAL], pull[TOTAL];
+  double h[FREE * FREE], z[FREE];
+  frame_start(edges, &f);
+  list_parts(edges, &f, part);
+  set_rings(edges, net);
+  for (int i = 0; i < 4; i++) add_tangents(&f.side[i], i, net);
+  apply(plate->stiffness, net, pull);
+  for (int k = 0; k < FREE; k++) z[k] = -product(part[k], pull);
+  for (int k = 0; k < FREE; k++) {
+    apply(plate->stiffness, part[k], pull);
+    for (int l = 0; l <= k; l++) h[k * FREE + l] = h[l * FREE + k] = product(part[l], pull);
+  }
+  if (!lam_cholesky_factor(FREE, h)) return false;
+  lam_cholesky_solve(FREE, h, z);
+  for (int k = 0; k < FREE; k++)
+    for (int i = 0; i < TOTAL; i++) net[i] = lam_along(net[i], z[k], part[k][i]);
+  apply(plate->stiffness, net, pull);
+  *energy = product(net, pull);
+  apply(plate->lift, net, points);
+  frame_move(&f, z);
+  for (int i = 0; i < 4; i++)
+    if (folds(&edges[i], &f.side[i])) return false;
   return true;
 }

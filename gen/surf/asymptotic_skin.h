@@ -40,11 +40,9 @@ typedef struct lam_skin_fit {
 /* One patch per cell. Cells that share two vertices share the curve between them; any number may meet at a vertex. The
  * curves have degree 5, are asymptotic curves of the patches, and may be straight or bend to both sides. Conormals and
  * slopes of the vertices are where the search starts, to about a tenth, and are set to those that were found. Vertices
- * in no cell are not used. Patches that fold over their boundary are left out: surface.points is NULL then, and errors
- * says why. */
+ * in no cell are not used. Where a patch would fold over its boundary, surface.points is NULL. */
 lam_skin_fit lam_asymptotic_skin_fill(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int cell_count,
-                                      const lam_skin_cell *cells, lam_place place, lam_errors *errors,
-                                      lam_asymptotic_patch *patches);
+                                      const lam_skin_cell *cells, lam_asymptotic_patch *patches);
 /* The patches over count[0] x count[1] vertices (v running fastest), (count[0] - 1) x (count[1] - 1) of them in the
  * same order. false, with an error, when some patch folds over its boundary or tangents are parallel. */
 bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_skin_vertex *vertices, lam_place place,
