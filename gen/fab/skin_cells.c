@@ -68,65 +68,74 @@ static int line_through(const lam_net *net, int v, int axis, int line[LINE], int
   return behind + 1 + ahead;
 }
 
-/* Weights of the first two derivatives at number `at` of the polynomial through count numbers at 0, 1, 2 ...: with
- * L_i(t) = prod (t - j) / (i - j), L_i' = sum_k prod_(j != k) ..., L_i'' = sum_k sum_l prod_(j != k, l) ... */
-static void derivative_weights(int count, int at, double first[LINE], double second[LINE]) {
+/* Weights of the derivative at number `at` of the polynomial through count numbers at 0, 1, 2 ...: with
+ * L_i(t) = prod (t - j) / (i - j), L_i' = sum_k prod_(j != k) ... */
+static void derivative_weights(int count, int at, double weights[LINE]) {
   for (int i = 0; i < count; i++) {
-    first[i] = second[i] = 0;
-    for (int k = 0; k < count; k++)
-      for (int l = 0; l < count; l++) {
-        if (k == i || l == i) continue;
-        double product = 1.0 / (i - k) / (k == l ? 1 : i - l);
-        for (int j = 0; j < count; j++)
-          if (j != i && j != k && j != l) product *= (double)(at - j) / (i - j);
-        *(k == l ? &first[i] : &second[i]) += product;
-      }
-  }
-}
-
-/* The derivatives of a vector along both lines through a vertex, per edge of the net. */
-static void differentiate(const lam_net *net, int v, const lam_vec3 *values, bool regular_only, lam_vec3 first[2],
-                          lam_vec3 second[2]) {
-  for (int d = 0; d < 2; d++) {
-    int line[LINE], at, count = line_through(net, v, d, line, &at);
-    double once[LINE], twice[LINE];
-    while (regular_only && count > 1 && !is_regular(net, line[count - 1])) count--;
-    int skip = regular_only && count > 1 && !is_regular(net, line[0]);
-    derivative_weights(count - skip, at - skip, once, twice);
-    first[d] = second[d] = lam_v3(0, 0, 0);
-    for (int k = skip; k < count; k++) {
-      lam_vec3 x = lam_sub(values[line[k]], values[v]);
-      first[d] = lam_along(first[d], once[k - skip], x);
-      second[d] = lam_along(second[d], twice[k - skip], x);
+    weights[i] = 0;
+    for (int k = 0; k < count; k++) {
+      if (k == i) continue;
+      double product = 1.0 / (i - k);
+      for (int j = 0; j < count; j++)
+        if (j != i && j != k) product *= (double)(at - j) / (i - j);
+      weights[i] += product;
     }
   }
 }
 
-/* Normals N from the tangents; N' = s tau N x r' along asymptotic curves, so that |tau| = |N'| / |r'|: the mean of
- * both. Then the conormals N / sqrt|tau| and their derivatives. */
+/* The derivatives of a vector along both lines through a vertex, per edge of the net. */
+static void differentiate(const lam_net *net, int v, const lam_vec3 *values, lam_vec3 out[2]) {
+  for (int d = 0; d < 2; d++) {
+    int line[LINE], at, count = line_through(net, v, d, line, &at);
+    double first[LINE];
+    while (count > 1 && !is_regular(net, line[count - 1])) count--;
+    int skip = count > 1 && !is_regular(net, line[0]);
+    derivative_weights(count - skip, at - skip, first);
+    out[d] = lam_v3(0, 0, 0);
+    for (int k = skip; k < count; k++) out[d] = lam_along(out[d], first[k - skip], lam_sub(values[line[k]], values[v]));
+  }
+}
+
+/* The discrete Lelieuvre normals: parallel to the normals n of the vertex stars, with |nu_i x nu_j| = |p_j - p_i| for
+ * all edges as well as possible. Relaxed are the logarithms l of their lengths, l_i + l_j = log(|p_j - p_i| / |n_i x
+ * n_j|); alternating parts of l, about which these equations say nothing, do not arise. */
+static lam_vec3 *make_conormals(lam_arena *arena, const lam_net *net) {
+  enum { SWEEPS = 20 };
+  int n = net->mesh.vertex_count, *count = LAM_NEW(arena, int, n);
+  const lam_vec3 *x = net->mesh.vertices;
+  lam_vec3 *normals = LAM_NEW(arena, lam_vec3, n);
+  double *size = LAM_NEW(arena, double, n), *wanted = LAM_NEW(arena, double, net->edge_count);
+  double *change = LAM_NEW(arena, double, n);
+  lam_net_normals(net, x, normals);
+  for (int e = 0; e < net->edge_count; e++) {
+    int a = net->edges[e].vertex[0], b = net->edges[e].vertex[1];
+    double turn = lam_length(lam_cross(normals[a], normals[b]));
+    wanted[e] = is_regular(net, a) && is_regular(net, b) && turn > 1e-9 ? log(lam_distance(x[a], x[b]) / turn) : NAN;
+    for (int k = 0; k < 2 && !isnan(wanted[e]); k++) count[net->edges[e].vertex[k]]++;
+  }
+  for (int sweep = 0; sweep < SWEEPS; sweep++) {
+    for (int v = 0; v < n; v++) change[v] = 0;
+    for (int e = 0; e < net->edge_count; e++) {
+      int a = net->edges[e].vertex[0], b = net->edges[e].vertex[1];
+      if (isnan(wanted[e])) continue;
+      change[a] += (wanted[e] - size[a] - size[b]) / 2 / count[a];
+      change[b] += (wanted[e] - size[a] - size[b]) / 2 / count[b];
+    }
+    for (int v = 0; v < n; v++) size[v] += change[v];
+  }
+  for (int v = 0; v < n; v++) normals[v] = lam_scale(normals[v], exp(size[v]));
+  return normals;
+}
+
 static lam_conormal_vertex *make_vertices(lam_arena *arena, const lam_net *net, int every) {
   int n = net->mesh.vertex_count;
   lam_conormal_vertex *vertices = LAM_NEW(arena, lam_conormal_vertex, n);
-  lam_vec3 *normals = LAM_NEW(arena, lam_vec3, n), *conormals = LAM_NEW(arena, lam_vec3, n), other[2];
-  lam_vec3(*tangents)[2] = lam_arena_alloc(arena, (size_t)n, sizeof *tangents);
+  const lam_vec3 *conormals = make_conormals(arena, net);
   for (int v = 0; v < n; v++) {
     vertices[v].point = net->mesh.vertices[v];
     if (!is_regular(net, v)) continue;
-    differentiate(net, v, net->mesh.vertices, false, tangents[v], other);
-    normals[v] = lam_unit(lam_cross(tangents[v][0], tangents[v][1]));
-  }
-  for (int v = 0; v < n; v++) {
-    if (!is_regular(net, v)) continue;
-    lam_vec3 turn[2];
-    differentiate(net, v, normals, true, turn, other);
-    double torsion = 0;
-    for (int d = 0; d < 2; d++) torsion += lam_length(turn[d]) / lam_length(tangents[v][d]) / 2;
-    conormals[v] = lam_scale(normals[v], 1 / sqrt(torsion));
-  }
-  for (int v = 0; v < n; v++) {
-    if (!is_regular(net, v)) continue;
-    differentiate(net, v, conormals, true, vertices[v].slope, other);
     vertices[v].conormal = conormals[v];
+    differentiate(net, v, conormals, vertices[v].slope);
     for (int d = 0; d < 2; d++) vertices[v].slope[d] = lam_scale(vertices[v].slope[d], every);
   }
   return vertices;

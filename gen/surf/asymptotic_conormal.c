@@ -8,20 +8,21 @@
 
 enum { LAST = LAM_CONORMAL_POINTS - 1, CURVE = LAM_CONORMAL_CURVE };
 
-static const double choose3[] = {1, 3, 3, 1}, choose4[] = {1, 4, 6, 4, 1};
+static const double choose4[] = {1, 4, 6, 4, 1}, choose6[] = {1, 6, 15, 20, 15, 6, 1};
 
 lam_conormal_edge lam_conormal_edge_make(const lam_conormal_vertex *vertices, const lam_conormal_arc *edge) {
   const lam_conormal_vertex *from = &vertices[edge->vertex[0]], *to = &vertices[edge->vertex[1]];
   lam_conormal_edge out = {.points = {from->point}};
   lam_vec3 *c = out.conormals, *p = out.points, q[CURVE] = {{0, 0, 0}};
   c[0] = from->conormal;
-  c[1] = lam_along(from->conormal, 1.0 / 3, lam_conormal_slope(from, edge->turn[0]));
-  c[2] = lam_along(to->conormal, -1.0 / 3, lam_conormal_slope(to, edge->turn[1]));
-  c[3] = to->conormal;
+  c[1] = lam_along(from->conormal, 0.25, lam_conormal_slope(from, edge->turn[0]));
+  c[2] = edge->middle;
+  c[3] = lam_along(to->conormal, -0.25, lam_conormal_slope(to, edge->turn[1]));
+  c[4] = to->conormal;
   for (int i = 0; i < LAST; i++)
     for (int j = i + 1; j <= LAST; j++) {
       int k = i + j - 1;
-      q[k] = lam_along(q[k], edge->sign * choose3[i] * choose3[j] * (j - i) / choose4[k], lam_cross(c[i], c[j]));
+      q[k] = lam_along(q[k], edge->sign * choose4[i] * choose4[j] * (j - i) / choose6[k], lam_cross(c[i], c[j]));
     }
   p[CURVE] = to->point;
   for (int k = 0; k < CURVE / 2; k++) {

@@ -7,17 +7,18 @@
 #include "surf/asymptotic_skin.h"
 
 enum {
-  LAM_CONORMAL_DEGREE = 3, /* of the conormals along an edge */
+  LAM_CONORMAL_DEGREE = 4, /* of the conormals along an edge */
   LAM_CONORMAL_POINTS = LAM_CONORMAL_DEGREE + 1,
   LAM_CONORMAL_CURVE = 2 * LAM_CONORMAL_DEGREE - 1, /* of the edge */
-  LAM_CONORMAL_SURFACE = 7
+  LAM_CONORMAL_SURFACE = 9
 };
 
 /* Between two vertices. At end 0 the edge leaves, at end 1 it arrives along the first direction of the vertex after
  * `turn` quarter turns. */
 typedef struct lam_conormal_arc {
   int vertex[2], turn[2];
-  int sign; /* of its torsion: +1 or -1; set by lam_conormal_signs */
+  lam_vec3 middle; /* the middle one of the five control points of the conormals */
+  int sign;        /* of its torsion: +1 or -1; set by lam_conormal_signs */
 } lam_conormal_arc;
 
 /* The slope of a vertex after quarter turns: along u, v, -u, -v. */
@@ -31,7 +32,7 @@ int lam_conormal_signs(lam_arena *arena, int vertex_count, const lam_conormal_ve
                        lam_conormal_arc *edges);
 /* Moves conormals and slopes until all edges end at their vertices, and makes them fair. */
 lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int edge_count,
-                              const lam_conormal_arc *edges);
+                              lam_conormal_arc *edges);
 
 /* A curve with its conormals. */
 typedef struct lam_conormal_edge {

@@ -30,14 +30,14 @@ typedef struct pair {
 
 typedef struct fit {
   lam_arena *arena;
-  int vertex_count, edge_count;
+  int vertex_count, edge_count, vector_count;
   const lam_conormal_vertex *vertices;
   const lam_conormal_arc *edges;
   double unit;                /* meters */
   lam_vec3 *x, *start, *step; /* VECTORS per vertex, in sqrt(unit) */
   double *metric;             /* m of each */
   lam_vec3 *chord, *miss;     /* per edge: P1 - P0; c */
-  block (*jacobian)[4];       /* by n0, d0, n1, d1 */
+  block (*jacobian)[5];       /* by n0, d0, c2, d1, n1 */
   int pair_count;
   pair *pairs;
   int *column, *row;
@@ -45,25 +45,28 @@ typedef struct fit {
   lam_factor *factor;
 } fit;
 
-static const int place_of[4] = {0, 0, 1, 1};
+enum { PARTS = 5 }; /* of an edge */
+static const int end_of[PARTS] = {0, 0, 0, 1, 1};
 
-/* Unknown k of an edge: n0, d0, n1, d1. */
-static int vector_of(const lam_conormal_arc *e, int k) {
-  int end = place_of[k];
+/* Unknown k of an edge: n0, d0, c2, d1, n1. */
+static int vector_of(const fit *f, int edge, int k) {
+  const lam_conormal_arc *e = &f->edges[edge];
+  int end = end_of[k];
+  if (k == 2) return VECTORS * f->vertex_count + edge;
   return VECTORS * e->vertex[end] + (k % 2 ? 1 + (e->turn[end] & 1) : 0);
 }
-static double sign_of(const lam_conormal_arc *e, int k) { return k % 2 && e->turn[place_of[k]] & 2 ? -1 : 1; }
+static double sign_of(const fit *f, int edge, int k) { return k % 2 && f->edges[edge].turn[end_of[k]] & 2 ? -1 : 1; }
 
 /* c of an edge, and its derivatives. */
 static lam_vec3 edge_miss(const fit *f, int edge, const lam_vec3 *x, block *jacobian) {
-  static const double factor[4][4] = {{0, 0.2, 1, -0.2}, {0, 0, 0.2, -1.0 / 30}, {0, 0, 0, 0.2}, {0, 0, 0, 0}};
-  const lam_conormal_arc *e = &f->edges[edge];
-  lam_vec3 sum = lam_scale(f->chord[edge], -1), y[4];
-  for (int k = 0; k < 4; k++) y[k] = x[vector_of(e, k)];
-  for (int k = 0; jacobian && k < 4; k++) jacobian[k] = (block){{{0}}};
-  for (int i = 0; i < 4; i++)
-    for (int j = i + 1; j < 4; j++) {
-      double w = e->sign * sign_of(e, i) * sign_of(e, j) * factor[i][j];
+  static const double factor[PARTS][PARTS] = {
+      {0, 5, 18, -3, 17}, {0, 0, 2, -0.5, 3}, {0, 0, 0, -2, 18}, {0, 0, 0, 0, -5}, {0}};
+  lam_vec3 sum = lam_scale(f->chord[edge], -1), y[PARTS];
+  for (int k = 0; k < PARTS; k++) y[k] = x[vector_of(f, edge, k)];
+  for (int k = 0; jacobian && k < PARTS; k++) jacobian[k] = (block){{{0}}};
+  for (int i = 0; i < PARTS; i++)
+    for (int j = i + 1; j < PARTS; j++) {
+      double w = f->edges[edge].sign * sign_of(f, edge, i) * sign_of(f, edge, j) * factor[i][j] / 35;
       sum = lam_along(sum, w, lam_cross(y[i], y[j]));
       for (int k = 0; jacobian && k < 2; k++) { /* d (a x b) = -b x da + a x db */
         double(*at)[3] = jacobian[k ? j : i].at;
@@ -161,10 +164,10 @@ static void find_pattern(fit *f) {
 /* J m J^T of two edges. */
 static block product(const fit *f, int a, int b) {
   block out = {{{0}}};
-  for (int i = 0; i < 4; i++)
-    for (int j = 0; j < 4; j++) {
-      int vector = vector_of(&f->edges[a], i);
-      if (vector != vector_of(&f->edges[b], j)) continue;
+  for (int i = 0; i < PARTS; i++)
+    for (int j = 0; j < PARTS; j++) {
+      int vector = vector_of(f, a, i);
+      if (vector != vector_of(f, b, j)) continue;
       for (int r = 0; r < 3; r++)
         for (int c = 0; c < 3; c++)
           for (int k = 0; k < 3; k++)
@@ -177,8 +180,8 @@ static void assemble(fit *f, double pull) {
   for (int k = 0; k < f->edge_count; k++) {
     f->miss[k] = edge_miss(f, k, f->x, f->jacobian[k]);
     lam_vec3 right = f->miss[k];
-    for (int i = 0; i < 4; i++) {
-      int v = vector_of(&f->edges[k], i);
+    for (int i = 0; i < PARTS; i++) {
+      int v = vector_of(f, k, i);
       right = lam_along(right, pull, times(&f->jacobian[k][i], lam_sub(f->start[v], f->x[v]), false));
     }
     memcpy(f->right + 3 * k, &right, sizeof right);
@@ -198,12 +201,12 @@ static double take_step(fit *f, double pull, double missed) {
   assemble(f, pull);
   if (!lam_factor_refactor(f->factor, f->values)) return INFINITY;
   lam_factor_solve(f->factor, f->right, f->right);
-  int n = VECTORS * f->vertex_count;
+  int n = f->vector_count;
   for (int v = 0; v < n; v++) f->step[v] = lam_scale(lam_sub(f->start[v], f->x[v]), pull);
   for (int k = 0; k < f->edge_count; k++) {
     lam_vec3 y = {f->right[3 * k], f->right[3 * k + 1], f->right[3 * k + 2]};
-    for (int i = 0; i < 4; i++) {
-      int v = vector_of(&f->edges[k], i);
+    for (int i = 0; i < PARTS; i++) {
+      int v = vector_of(f, k, i);
       f->step[v] = lam_along(f->step[v], -f->metric[v], times(&f->jacobian[k][i], y, true));
     }
   }
@@ -217,7 +220,7 @@ static double take_step(fit *f, double pull, double missed) {
 }
 
 static void prepare(fit *f) {
-  int n = VECTORS * f->vertex_count;
+  int n = f->vector_count = VECTORS * f->vertex_count + f->edge_count;
   for (int k = 0; k < f->edge_count; k++) {
     const int *v = f->edges[k].vertex;
     f->unit += lam_distance(f->vertices[v[0]].point, f->vertices[v[1]].point) / f->edge_count;
@@ -226,12 +229,20 @@ static void prepare(fit *f) {
   f->start = LAM_NEW(f->arena, lam_vec3, n);
   f->step = LAM_NEW(f->arena, lam_vec3, n);
   f->metric = LAM_NEW(f->arena, double, n);
-  for (int v = 0; v < n; v++) {
+  for (int v = 0; v < VECTORS * f->vertex_count; v++) {
     const lam_conormal_vertex *from = &f->vertices[v / VECTORS];
     int number = v % VECTORS;
     f->start[v] = f->x[v] = lam_scale(number ? from->slope[number - 1] : from->conormal, 1 / sqrt(f->unit));
     double square = lam_dot(from->conormal, from->conormal) / f->unit;
-    f->metric[v] = number ? 1 / square : square;
+    f->metric[v] = number ? 1 / square : square * (getenv("MN") ? atof(getenv("MN")) : 1);
+  }
+  for (int k = 0; k < f->edge_count; k++) { /* the middle control point of the cubic */
+    lam_vec3 y[PARTS];
+    int at = vector_of(f, k, 2);
+    for (int i = 0; i < PARTS; i++) y[i] = lam_scale(f->x[vector_of(f, k, i)], sign_of(f, k, i));
+    f->start[at] = f->x[at] = lam_along(lam_mix(y[0], y[4], 0.5), 1.0 / 6, lam_sub(y[1], y[3]));
+    f->metric[at] =
+        (getenv("MM") ? atof(getenv("MM")) : 1) * (f->metric[vector_of(f, k, 1)] + f->metric[vector_of(f, k, 3)]) / 2;
   }
   f->chord = LAM_NEW(f->arena, lam_vec3, f->edge_count);
   f->miss = LAM_NEW(f->arena, lam_vec3, f->edge_count);
@@ -245,12 +256,12 @@ static void prepare(fit *f) {
 #include <time.h>
 
 lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int edge_count,
-                              const lam_conormal_arc *edges) {
+                              lam_conormal_arc *edges) {
   lam_arena_mark mark = lam_arena_mark_get(arena);
   fit f = {.arena = arena, .vertex_count = vertex_count, .edge_count = edge_count, .vertices = vertices};
   lam_skin_fit result = {.steps = 0};
   f.edges = edges;
-  clock_t t = clock();
+  clock_t tt = clock();
   prepare(&f);
   find_pattern(&f);
   double missed = largest_miss(&f, f.x);
@@ -263,7 +274,7 @@ lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_v
   }
   if (getenv("KV"))
     fprintf(stderr, "%d iterations %g  %g s, factor flops %g\n", result.steps, missed,
-            (double)(clock() - t) / CLOCKS_PER_SEC, lam_factor_get_stats(f.factor).flops);
+            (double)(clock() - tt) / CLOCKS_PER_SEC, lam_factor_get_stats(f.factor).flops);
   result.missed = missed * f.unit;
   result.converged = missed <= sufficient;
   double root = sqrt(f.unit);
@@ -273,6 +284,7 @@ lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_v
     for (int d = 0; d < 2; d++) vertices[v].slope[d] = lam_scale(x[1 + d], root);
     result.tilt = fmax(result.tilt, lam_angle(before, vertices[v].conormal));
   }
+  for (int k = 0; k < edge_count && isfinite(missed); k++) edges[k].middle = lam_scale(f.x[vector_of(&f, k, 2)], root);
   lam_arena_release(arena, mark);
   return result;
 }

@@ -2,7 +2,7 @@
  * m right-handed, orthogonal and of length 1, the tangents across it are T = x nu x a + y nu x b,  that is  T.b = x
  * (nu.m),  T.a = -y (nu.m): in the tangent planes of both patches along the edge. x and y have degree 4, T has degree 7
  * as the patch. T at the ends is the derivative of the crossing curve, which gives the first coefficients; T' = w there
- * is the mixed derivative, x1 = x0 + (w.b - x0 nu'.m) / (4 nu.m),  y1 = y0 - (w.a + y0 nu'.m) / (4 nu.m), the same for
+ * is the mixed derivative, x1 = x0 + (w.b - x0 nu'.m) / (5 nu.m),  y1 = y0 - (w.a + y0 nu'.m) / (5 nu.m), the same for
  * both curves. w.nu = -r_v.nu_u = -r_u.nu_v is given, its part in the tangent plane is free: two numbers at every
  * corner. With the middle coefficients of x and y along every edge they are 16, and minimize the thin-plate energy
  * (thesis, eq. 2.8) together with the inner points of the control net. */
@@ -14,9 +14,10 @@
 enum {
   SIDE = LAM_CONORMAL_SURFACE + 1,
   TOTAL = SIDE * SIDE,
-  CROSS = 5,   /* coefficients of x and of y */
-  FREE = 16,   /* numbers: two per corner, then two per edge */
-  PLACES = 17, /* where folds are looked for */
+  CROSS = LAM_CONORMAL_SURFACE - LAM_CONORMAL_DEGREE + 1, /* coefficients of x and of y */
+  MIDDLE = CROSS - 4,                                     /* those that the ends do not fix */
+  FREE = 8 + 8 * MIDDLE, /* numbers: two per corner, then those of x and y of every edge */
+  PLACES = 17,           /* where folds are looked for */
 };
 
 struct lam_conormal_plate {
@@ -181,10 +182,10 @@ static void list_parts(const lam_conormal_edge edges[4], const frame *f, lam_vec
     set_twist(&alone, end.end, f->tangent[k / 4][d]);
     add_tangents(&alone, end.curve, part[2 * (k / 4) + d]);
   }
-  for (int k = 0; k < 8; k++) {
-    across alone = across_start(&edges[k / 2]);
-    (k % 2 ? alone.y : alone.x)[CROSS / 2] = 1;
-    add_tangents(&alone, k / 2, part[8 + k]);
+  for (int k = 0; k < 8 * MIDDLE; k++) {
+    across alone = across_start(&edges[k % 4]);
+    (k / 4 % 2 ? alone.y : alone.x)[2 + k / 8] = 1;
+    add_tangents(&alone, k % 4, part[8 + k]);
   }
 }
 
@@ -194,7 +195,7 @@ static void frame_move(frame *f, const double z[FREE]) {
       f->twist[corner] = lam_along(f->twist[corner], z[2 * corner + d], f->tangent[corner][d]);
     twist_corner(f, corner);
   }
-  for (int k = 0; k < 8; k++) (k % 2 ? f->side[k / 2].y : f->side[k / 2].x)[CROSS / 2] += z[8 + k];
+  for (int k = 0; k < 8 * MIDDLE; k++) (k / 4 % 2 ? f->side[k % 4].y : f->side[k % 4].x)[2 + k / 8] += z[8 + k];
 }
 
 static double product(const lam_vec3 *a, const lam_vec3 *b) {
