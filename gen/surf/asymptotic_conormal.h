@@ -30,7 +30,8 @@ static inline lam_vec3 lam_conormal_slope(const lam_conormal_vertex *v, int turn
  * Returns how many edges contradict it: their chord does not go with the conormals at their ends. */
 int lam_conormal_signs(lam_arena *arena, int vertex_count, const lam_conormal_vertex *vertices, int edge_count,
                        lam_conormal_arc *edges);
-/* Moves conormals and slopes until all edges end at their vertices, and makes them fair. */
+/* Moves conormals and slopes as little as it takes for all edges to end at their vertices, and sets the middle control
+ * points of the edges. Not converged is a result: what was reached stands then. */
 lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int edge_count,
                               lam_conormal_arc *edges);
 

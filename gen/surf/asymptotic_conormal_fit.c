@@ -285,7 +285,7 @@ lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_v
     vertices[v].conormal = lam_scale(x[0], root);
     for (int d = 0; d < 2; d++) vertices[v].slope[d] = lam_scale(x[1 + d], root);
   }
-  for (int k = 0; k < edge_count; k++) edges[k].middle = lam_scale(f.x[vector_of(&f, k, 2)], root);
+  for (int k = 0; k < edge_count && isfinite(missed); k++) edges[k].middle = lam_scale(f.x[vector_of(&f, k, 2)], root);
   lam_arena_release(arena, mark);
   return result;
 }
