@@ -38,7 +38,9 @@ lam_rgb lam_ramp_diverging(double t) {
 }
 
 lam_color_scale lam_map_scale(const lam_map *map) {
+  bool shared = map->range[0] < map->range[1];
   lam_color_scale s = {map->summary.min, map->summary.max, false, false};
+  if (shared) s.low = map->range[0], s.high = map->range[1];
   double size = fmax(fabs(s.low), fabs(s.high));
   s.constant = !(s.high - s.low > 1e-9 * size);
   s.diverging = !s.constant && s.low < 0 && s.high > 0;

@@ -295,12 +295,9 @@ static bool make_maps(pipeline *p) {
   if (plots->count && !p->net)
     lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
   if (p->errors->count > before) return false;
-  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
   if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
-  for (int i = 0; i < plots->count; i++)
-    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
   p->model->map_count = plots->count;
-  p->model->maps = maps;
+  if (plots->count) p->model->maps = lam_net_maps(&p->measuring, plots);
   return true;
 }
 

@@ -47,7 +47,8 @@ lam_measure lam_measure_summary(const lam_measure_kind *kind, const double *valu
 
 /* What measures need, with a right angle as the target and no reference. */
 lam_measuring lam_measuring_of(lam_arena *arena, const lam_net *net, const lam_vec3 *positions);
-/* Runs the named measures (NULL-terminated; NULL: all) and returns their summaries; count is the number. */
+/* Runs the named measures (NULL-terminated; NULL: all but the slow ones, see net/layout.h) and returns their summaries;
+ * count is the number. */
 lam_measure *lam_net_measure(const lam_measuring *in, const char *const *names, int *count);
 /* The summary of one measure. */
 lam_measure lam_net_measure_one(lam_arena *arena, const lam_net *net, const lam_vec3 *positions, const char *name);
