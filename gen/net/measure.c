@@ -54,6 +54,7 @@
   row(conicality) \
   row(cross_ratio) \
   row(incircle_contact) \
+  row(surface_gauss_curvature) \
   row(flattening_distortion) \
   row(flattening_stretch) \
   row(flattening_compression) \

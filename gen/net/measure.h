@@ -5,6 +5,7 @@
 
 #include "core/solid.h"
 #include "net/net.h"
+#include "surf/surface.h"
 
 #include <math.h>
 
@@ -18,6 +19,9 @@ typedef struct lam_measuring {
   const lam_trimesh *reference_mesh; /* of the tree */
   const double *axis;                /* point and direction of a surface of revolution (6 numbers); NULL: none */
   const lam_vec3 *start;             /* positions that strains are measured against; NULL: none */
+  const lam_surface *surface;        /* that the vertices lie on, at these parameters; NULL: none, or not known */
+  const lam_vec2 *parameters;
+  double surface_scale; /* by which the surface was enlarged */
 } lam_measuring;
 
 /* What a measure has one value on. */
