@@ -112,6 +112,41 @@ lam_spline_side lam_spline_side_of(const lam_spline_surface *s, int k) {
                            .weights = s->weights};
 }
 
+lam_spline_side lam_spline_side_of_curve(const lam_spline_curve *curve) {
+  return (lam_spline_side){.degree = curve->degree,
+                           .count = curve->count,
+                           .stride = 1,
+                           .knots = curve->knots,
+                           .points = curve->points,
+                           .weights = curve->weights};
+}
+
+/* De Boor's algorithm on homogeneous points. */
+lam_vec3 lam_spline_side_point(lam_arena *arena, const lam_spline_side *s, double t) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  int p = s->degree, low = p, high = s->count;
+  while (high - low > 1) { /* knots[low] <= t < knots[high] */
+    int middle = (low + high) / 2;
+    *(s->knots[middle] <= t ? &low : &high) = middle;
+  }
+  while (low > p && s->knots[low] == s->knots[low + 1]) low--; /* the end of the domain */
+  double(*x)[coordinates] = (double(*)[coordinates])lam_arena_alloc(arena, (size_t)p + 1, sizeof *x);
+  for (int j = 0; j <= p; j++) {
+    int at = s->first + (low - p + j) * s->stride;
+    double w = s->weights ? s->weights[at] : 1;
+    const lam_vec3 *q = &s->points[at];
+    x[j][0] = w * q->x, x[j][1] = w * q->y, x[j][2] = w * q->z, x[j][3] = w;
+  }
+  for (int r = 1; r <= p; r++)
+    for (int j = p; j >= r; j--) {
+      double from = s->knots[low - p + j], a = (t - from) / (s->knots[low + 1 + j - r] - from);
+      for (int c = 0; c < coordinates; c++) x[j][c] = (1 - a) * x[j - 1][c] + a * x[j][c];
+    }
+  lam_vec3 point = lam_scale(lam_v3(x[p][0], x[p][1], x[p][2]), 1 / x[p][3]);
+  lam_arena_release(arena, mark);
+  return point;
+}
+
 bool lam_spline_meet(lam_vec3 a, lam_vec3 b) { return lam_distance(a, b) <= 1e-9; }
 
 bool lam_spline_side_is_point(const lam_spline_side *s) {

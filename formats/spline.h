@@ -10,18 +10,22 @@
  * when it is so already. Preconditions: sound knots, positive weights. What is new is owned by the arena. */
 lam_spline_surface lam_spline_clamped(lam_arena *arena, const lam_spline_surface *surface);
 
-/* A side of a clamped surface: a row or column of its control net. */
+/* A side of a clamped surface, a row or column of its control net; or a curve. */
 typedef struct lam_spline_side {
   int degree, count;
   int first, stride;      /* of its points among the surface's */
   const double *knots;    /* count + degree + 1 */
-  const lam_vec3 *points; /* of the surface */
-  const double *weights;  /* of the surface; NULL: all 1 */
+  const lam_vec3 *points; /* of the surface or curve */
+  const double *weights;  /* of the surface or curve; NULL: all 1 */
 } lam_spline_side;
 
 /* Side k of the counterclockwise boundary: v = 0, u = 1, v = 1, u = 0 (in parameters from 0 to 1). Its curve runs with
  * its parameter: sides 2 and 3 run against the boundary. */
 lam_spline_side lam_spline_side_of(const lam_spline_surface *surface, int k);
+/* A curve as if it were a side. */
+lam_spline_side lam_spline_side_of_curve(const lam_spline_curve *curve);
+/* The point at t, in the domain. The arena is used in between. */
+lam_vec3 lam_spline_side_point(lam_arena *arena, const lam_spline_side *side, double t);
 /* Whether places are the same to the precision of the files: a nanometer. */
 bool lam_spline_meet(lam_vec3 a, lam_vec3 b);
 /* Whether the side is only a point (the pole of a sphere). */

@@ -1,4 +1,5 @@
-/* surface.json: the control nets of the model's spline surfaces, in meters. Numbers read back exactly. */
+/* surface.json: the control nets of the model's spline surfaces and the control points of its curves, in meters.
+ * Numbers read back exactly. */
 #include "formats/format.h"
 
 #include <jansson.h>
@@ -6,7 +7,7 @@
 
 /* ---- writing ---- */
 
-static int count(const lam_model *model) { return model->surface_count > 0; }
+static int count(const lam_model *model) { return model->surface_count > 0 || model->curve_count > 0; }
 
 static void path(const lam_model *model, int i, lam_text *out) {
   (void)model, (void)i;
@@ -22,28 +23,47 @@ static void add_numbers(lam_text *out, const double *numbers, int n) {
   lam_text_add(out, "]");
 }
 
-static void add_surface(lam_text *out, const lam_spline_surface *s) {
-  lam_text_add(out, "    {\n      \"name\": ");
-  lam_text_quoted(out, s->name);
-  lam_text_printf(out, ",\n      \"degree\": [%d, %d],\n      \"count\": [%d, %d],\n", s->degree[0], s->degree[1],
-                  s->count[0], s->count[1]);
-  for (int d = 0; d < 2; d++) {
-    lam_text_printf(out, "      \"knots_%c\": ", d ? 'v' : 'u');
-    add_numbers(out, s->knots[d], s->count[d] + s->degree[d] + 1);
-    lam_text_add(out, ",\n");
-  }
+static void add_knots(lam_text *out, const char *name, const double *knots, int n) {
+  lam_text_printf(out, "      \"%s\": ", name);
+  add_numbers(out, knots, n);
+  lam_text_add(out, ",\n");
+}
+
+static void add_points(lam_text *out, const lam_vec3 *points, const double *weights, int n) {
   lam_text_add(out, "      \"points\": [");
-  int total = s->count[0] * s->count[1];
-  for (int i = 0; i < total; i++) {
+  for (int i = 0; i < n; i++) {
     lam_text_add(out, i ? ",\n        " : "\n        ");
-    add_numbers(out, (double[3]){s->points[i].x, s->points[i].y, s->points[i].z}, 3);
+    add_numbers(out, (double[3]){points[i].x, points[i].y, points[i].z}, 3);
   }
   lam_text_add(out, "]");
-  if (s->weights) {
+  if (weights) {
     lam_text_add(out, ",\n      \"weights\": ");
-    add_numbers(out, s->weights, total);
+    add_numbers(out, weights, n);
   }
   lam_text_add(out, "\n    }");
+}
+
+static void add_name(lam_text *out, const char *name) {
+  lam_text_add(out, "    {\n      \"name\": ");
+  lam_text_quoted(out, name);
+}
+
+static void add_surface(lam_text *out, const lam_spline_surface *s) {
+  static const char *const names[] = {"knots_u", "knots_v"};
+  add_name(out, s->name);
+  lam_text_printf(out, ",\n      \"degree\": [%d, %d],\n      \"count\": [%d, %d],\n", s->degree[0], s->degree[1],
+                  s->count[0], s->count[1]);
+  for (int d = 0; d < 2; d++) add_knots(out, names[d], s->knots[d], s->count[d] + s->degree[d] + 1);
+  add_points(out, s->points, s->weights, s->count[0] * s->count[1]);
+}
+
+static void add_curve(lam_text *out, const lam_named_curve *named) {
+  const lam_spline_curve *c = &named->spline;
+  add_name(out, named->name);
+  lam_text_printf(out, ",\n      \"family\": %d,\n      \"degree\": %d,\n      \"count\": %d,\n", named->family,
+                  c->degree, c->count);
+  add_knots(out, "knots", c->knots, c->count + c->degree + 1);
+  add_points(out, c->points, c->weights, c->count);
 }
 
 static lam_status write(const lam_model *model, int i, lam_text *out) {
@@ -52,6 +72,11 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   for (int s = 0; s < model->surface_count; s++) {
     add_surface(out, &model->surfaces[s]);
     lam_text_add(out, s + 1 < model->surface_count ? ",\n" : "\n");
+  }
+  lam_text_add(out, "  ],\n  \"curves\": [\n");
+  for (int c = 0; c < model->curve_count; c++) {
+    add_curve(out, &model->curves[c]);
+    lam_text_add(out, c + 1 < model->curve_count ? ",\n" : "\n");
   }
   lam_text_add(out, "  ]\n}\n");
   return LAM_OK;
@@ -163,7 +188,8 @@ static bool read_surfaces(lam_arena *arena, const char *bytes, size_t size, lam_
 
 const lam_format lam_format_surface = {
     .name = "surface",
-    .doc = "The control nets of the smooth surfaces (degrees, knots, points, weights) as JSON, in meters.",
+    .doc = "The smooth surfaces, and the axes of lamellas or the lines of the net as curves (degrees, knots, points, "
+           "weights), as JSON, in meters.",
     .ending = "json",
     .count = count,
     .path = path,

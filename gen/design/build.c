@@ -261,6 +261,17 @@ static void keep_spline(pipeline *p, lam_workshop *workshop) {
   lam_workshop_surface(workshop, to);
 }
 
+/* The lines of the net as curves, where no part has given axes. They are named as lamellas would be. */
+static void keep_lines(const pipeline *p, lam_workshop *workshop) {
+  int numbers[2] = {0};
+  if (!p->net || !p->design->net.head || workshop->curve_count) return;
+  for (int i = 0; i < p->net->polyline_count; i++) {
+    const lam_polyline *line = &p->net->polylines[i];
+    lam_workshop_curve(workshop, lam_arena_printf(p->arena, "%c%02d", 'A' + line->family, ++numbers[line->family]),
+                       line);
+  }
+}
+
 /* ---- prints ---- */
 
 static bool make_print(pipeline *p, const lam_workshop *workshop) {
@@ -395,8 +406,11 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
   keep_spline(&p, workshop);
   if (!make_print(&p, workshop) || !make_parts(&p, workshop)) return false;
+  keep_lines(&p, workshop);
   model->surface_count = workshop->surface_count;
   model->surfaces = workshop->surfaces;
+  model->curve_count = workshop->curve_count;
+  model->curves = workshop->curves;
   model->part_count = workshop->part_count;
   model->parts = workshop->parts;
   model->record_kind_count = workshop->record_kind_count;
