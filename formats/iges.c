@@ -193,4 +193,5 @@ const lam_format lam_format_iges = {
     .path = path,
     .write = write,
     .read_surfaces = lam_iges_read,
+    .read_curves = lam_iges_read_curves,
 };

@@ -227,4 +227,5 @@ const lam_format lam_format_step = {
     .path = path,
     .write = write,
     .read_surfaces = lam_step_read,
+    .read_curves = lam_step_read_curves,
 };

@@ -181,7 +181,7 @@ static bool read_surfaces(lam_arena *arena, const char *bytes, size_t size, lam_
   for (; r.surface < (int)json_array_size(list); r.surface++) {
     lam_spline_surface s = {0};
     if (!read_surface(&r, json_array_get(list, (size_t)r.surface), &s)) return false;
-    lam_spline_append(arena, surfaces, &s);
+    lam_spline_append(arena, surfaces, &s, NULL);
   }
   return true;
 }
