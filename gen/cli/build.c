@@ -108,9 +108,9 @@ static bool load_triangles(void *context, lam_arena *arena, const char *path, la
 }
 
 static bool load_surface(void *context, lam_arena *arena, const char *path, int face, lam_place place,
-                         lam_errors *errors, lam_spline_surface *surface) {
+                         lam_errors *errors, lam_spline_surface *surface, const char **note) {
   (void)place;
-  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface);
+  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface, note);
 }
 
 /* Builds another design as far as its net. */

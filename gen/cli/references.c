@@ -33,7 +33,7 @@ static void check_surface(const lam_design *design, lam_errors *errors) {
     lam_spline_surface *surface = LAM_NEW(errors->arena, lam_spline_surface, 1);
     if (!check_file(design, source->file, row->place, "surface.file", errors)) return;
     const char *path = beside(design, source->file, errors->arena);
-    if (!lam_input_surface(errors->arena, path, source->face, errors, surface)) return;
+    if (!lam_input_surface(errors->arena, path, source->face, errors, surface, &source->note)) return;
     source->surface = surface;
   }
   lam_surface_make(errors->arena, row, errors);

@@ -232,7 +232,8 @@ static bool make_surface(pipeline *p) {
   if (kind->reads_file && p->loader && p->loader->surface) {
     lam_surface_source *source = row->params;
     lam_spline_surface *surface = LAM_NEW(p->arena, lam_spline_surface, 1);
-    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface))
+    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface,
+                            &source->note))
       return false;
     source->surface = surface;
   }

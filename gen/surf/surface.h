@@ -36,6 +36,7 @@ typedef struct lam_surface_source {
   const char *file;
   int face;                          /* which of the file's surfaces, from 1 */
   const lam_spline_surface *surface; /* NULL: not read; its numbers need not be sound */
+  const char *note;                  /* for the report: what of the file is not read; NULL: nothing */
 } lam_surface_source;
 
 typedef struct lam_surface_kind {
