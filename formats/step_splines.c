@@ -71,8 +71,8 @@ static bool is_table(const lam_step_value *table, int count[2]) {
 
 static bool read_degree(lam_step_reader *r, const lam_step_value *list, int i, int *degree) {
   const lam_step_value *value = lam_step_typed(list, i, LAM_STEP_NUMBER);
-  if (value && value->number >= 1 && value->number <= largest_degree) *degree = (int)value->number;
-  return (value && *degree == value->number) || lam_step_fail(r, "its degree is not a whole number from 1 on");
+  *degree = value && value->number >= 1 && value->number <= largest_degree ? (int)value->number : 0;
+  return (*degree && *degree == value->number) || lam_step_fail(r, "its degree is not a whole number from 1 on");
 }
 
 /* Knots are listed once, with how often they stand. */

@@ -12,7 +12,7 @@ include=/usr/include/opencascade
 reader=none
 if [ -f $include/STEPControl_Reader.hxx ] && [ -f $include/IGESControl_Reader.hxx ]; then
   reader=$work/cad_reader
-  "${CXX:-g++}" -std=c++17 -O0 -isystem $include tests/cli/cad_reader.cc -o "$reader" -lTKSTEP -lTKIGES -lTKXSBase \
+  "${CXX:-g++}" -std=c++17 -O0 -isystem $include tests/cli/cad_reader.cc -o "$reader" -lTKSTEP -lTKSTEPAttr -lTKSTEPBase -lTKIGES -lTKXSBase \
     -lTKShHealing -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKMath -lTKernel >"$work/log" 2>&1 ||
     { reader=broken; sed 's/^/# /' "$work/log" | head -20; }
 fi
