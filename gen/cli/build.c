@@ -1,6 +1,7 @@
 /* lamella build DESIGN: from a design file to a folder of files. */
 #include "design/build.h"
 #include "cli/complain.h"
+#include "cli/manifest.h"
 #include "cli/mesh_files.h"
 #include "cli/output.h"
 #include "cli/references.h"
@@ -191,6 +192,10 @@ static int finish(lam_arena *arena, const arguments *given, const lam_model *mod
   if (!output.templates) return lam_complain_plain(1, "the templates folder is not found; set LAMELLA_TEMPLATES");
   if (!given->timings) forget_times(model->report);
   lam_output_write(arena, model, &output, &notes, &errors);
+  int removed = 0;
+  if (errors.count == 0)
+    removed = lam_manifest_update(arena, folder, model->name, output.file_count, output.files,
+                                  given->only || given->skip, &errors);
   if (given->deps && errors.count == 0) write_deps(arena, given, folder, files, &output, &errors);
   lam_progress_tell(progress, NULL, 1, "");
   for (const lam_error *note = notes.first; note; note = note->next) fprintf(stderr, "lamella: %s\n", note->text);
@@ -201,6 +206,7 @@ static int finish(lam_arena *arena, const arguments *given, const lam_model *mod
   if (!given->quiet) {
     lam_report_print(model->report, stdout);
     printf("%d files in %s\n", output.file_count, folder);
+    if (removed) printf("%d files of the last build, which this one does not make, were removed\n", removed);
   }
   return lam_report_converged(model->report) ? 0 : 1;
 }
