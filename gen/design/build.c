@@ -10,6 +10,7 @@
 #include "net/start.h"
 #include "net/trace.h"
 #include "surf/place.h"
+#include "surf/sides_keys.h"
 #include "surf/texture.h"
 
 #include <math.h>
@@ -237,6 +238,11 @@ static bool make_surface(pipeline *p) {
       return false;
     source->surface = surface;
   }
+  lam_sides_keys *sides = kind->sides ? kind->sides(row->params) : NULL;
+  if (sides && sides->file && p->loader && p->loader->curves &&
+      !p->loader->curves(p->loader->context, p->arena, sides->file, row->place, p->errors, &sides->read_count,
+                         &sides->read))
+    return false;
   p->surface = lam_surface_make(p->arena, row, p->errors);
   return p->errors->count == before;
 }

@@ -18,6 +18,9 @@ typedef struct lam_loader {
   /* Surface number `face` (from 1) of a file; note says what of it is not read, NULL: nothing. May be NULL. */
   bool (*surface)(void *context, lam_arena *arena, const char *path, int face, lam_place place, lam_errors *errors,
                   lam_spline_surface *surface, const char **note);
+  /* All curves of a file. May be NULL. */
+  bool (*curves)(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors, int *count,
+                 const lam_named_curve **curves);
 } lam_loader;
 
 /* Builds the model of a parsed design. loader and progress may be NULL. Wrong input adds to errors and returns false; a

@@ -42,6 +42,9 @@ typedef struct lam_surface_source {
 typedef struct lam_surface_kind {
   lam_row_head head;
   bool reads_file; /* its parameters are a lam_surface_source */
+  /* The keys of its boundary in the parameters (surf/sides_keys.h), whose curves may stand in a file; NULL: it has
+   * none. */
+  struct lam_sides_keys *(*sides)(void *params);
   /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance data". Adds to
    * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL.
    */
