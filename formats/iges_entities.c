@@ -139,34 +139,71 @@ static int next_pointer(lam_iges_reader *r, lam_iges_parameters *list) {
   return line % 2 ? line - 1 : -1;
 }
 
-/* Whether the curve at line `at`, or one that it consists of (142, 141, 102), leaves the boundary. */
-static bool leaves(lam_iges_reader *r, int at, const lam_spline_surface *clamped, int depth) {
-  enum { composite = 102, boundary = 141, on_surface = 142, deepest = 4 };
-  int type = at < 0 ? 0 : lam_iges_field(r, at, 0), count;
-  lam_spline_curve curve;
+enum { composite = 102, boundary = 141, on_surface = 142, deepest = 2 };
+
+/* The curves that a curve consists of or stands for, in space or in the parameters of a surface: their directory lines,
+ * count of them; none for a curve that is simple. */
+static int *constituents(lam_iges_reader *r, int at, bool in_space, int *count) {
   lam_iges_parameters list;
-  if (type == 0 || depth == deepest) return false;
-  if (lam_iges_curve(r, at, &curve) && curve.count) return !lam_curve_is_border(r->arena, &curve, clamped);
-  if ((type != composite && type != on_surface && type != boundary) || !lam_iges_open(r, at, &list)) return false;
+  int type = lam_iges_field(r, at, 0), n = 0, most = r->directory.count;
+  double skipped[3];
+  *count = 0;
+  if ((type != composite && type != on_surface && type != boundary) || !lam_iges_open(r, at, &list)) return NULL;
+  int *lines = LAM_NEW(r->arena, int, strlen(list.at) + 1); /* a letter for each at least */
   if (type == on_surface) { /* how it was made, the surface, the curve in its parameters, the curve in space */
-    double made;
-    if (!lam_iges_numbers(r, &list, &made, 1)) return false;
-    for (int i = 0; i < 2; i++) next_pointer(r, &list);
-    return leaves(r, next_pointer(r, &list), clamped, depth + 1);
+    if (!lam_iges_numbers(r, &list, skipped, 1)) return lines;
+    next_pointer(r, &list);
+    int plane = next_pointer(r, &list), space = next_pointer(r, &list);
+    lines[(*count)++] = in_space ? space : plane;
+    return lines;
   }
-  double skipped[3]; /* of 141: type, preference, surface */
-  if (type == boundary && !lam_iges_numbers(r, &list, skipped, 3)) return false;
-  if (!lam_iges_integer(r, &list, 0, r->directory.count, &count)) return false;
-  for (int i = 0; i < count; i++) {
-    double own;
-    if (leaves(r, next_pointer(r, &list), clamped, depth + 1)) return true;
+  /* of 141: type, preference, surface; then curves in space, each with its sense and those in the parameters */
+  if (type == boundary && !lam_iges_numbers(r, &list, skipped, 3)) return lines;
+  if (!lam_iges_integer(r, &list, 0, most, &n)) return lines;
+  for (int i = 0; i < n && !list.ended; i++) {
+    int own = next_pointer(r, &list), inside = 0;
+    if (in_space || type == composite) lines[(*count)++] = own;
     if (type == composite) continue;
-    int inside; /* curves in the parameters of the surface, which follow the sense of each */
-    if (!lam_iges_numbers(r, &list, &own, 1) || !lam_iges_integer(r, &list, 0, r->directory.count, &inside))
-      return false;
-    for (int k = 0; k < inside; k++) next_pointer(r, &list);
+    if (!lam_iges_numbers(r, &list, skipped, 1) || !lam_iges_integer(r, &list, 0, most, &inside)) return lines;
+    for (int k = 0; k < inside && !list.ended; k++) {
+      int plane = next_pointer(r, &list);
+      if (!in_space) lines[(*count)++] = plane;
+    }
   }
+  return lines;
+}
+
+/* Whether the curve at line `at`, or one that it consists of, leaves the boundary. */
+static bool leaves(lam_iges_reader *r, int at, const lam_spline_surface *clamped, int depth) {
+  lam_spline_curve curve;
+  int count;
+  if (at < 0) return false;
+  if (lam_iges_curve(r, at, &curve) && curve.count) return !lam_curve_is_border(r->arena, &curve, clamped);
+  if (depth == deepest) return false;
+  const int *lines = constituents(r, at, true, &count);
+  for (int i = 0; i < count; i++)
+    if (leaves(r, lines[i], clamped, depth + 1)) return true;
   return false;
+}
+
+static void mark(lam_iges_reader *r, int at, bool *plane) {
+  int count;
+  if (at < 0 || plane[at]) return;
+  plane[at] = true;
+  const int *lines = lam_iges_field(r, at, 0) == composite ? constituents(r, at, false, &count) : NULL;
+  for (int i = 0; lines && i < count; i++) plane[lines[i] < 0 ? at : lines[i]] = true;
+}
+
+void lam_iges_mark_plane_curves(lam_iges_reader *r, bool *plane) {
+  lam_errors *errors = r->scan.errors, ignored = {.arena = r->arena};
+  r->scan.errors = &ignored;
+  for (int at = 0, count; at < r->directory.count; at += 2) {
+    int type = lam_iges_field(r, at, 0);
+    if (type != on_surface && type != boundary) continue;
+    const int *lines = constituents(r, at, false, &count);
+    for (int i = 0; i < count; i++) mark(r, lines[i], plane);
+  }
+  r->scan.errors = errors;
 }
 
 bool lam_iges_trims(lam_iges_reader *r, int at, int *surface) {

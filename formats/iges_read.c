@@ -52,8 +52,11 @@ bool lam_iges_read_curves(lam_arena *arena, const char *bytes, size_t count, lam
   lam_iges_reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
   *curves = (lam_curve_list){0};
   if (!lam_iges_begin(&r)) return false;
+  bool *plane = LAM_NEW(arena, bool, r.directory.count + 1);
+  lam_iges_mark_plane_curves(&r, plane);
   for (int at = 0; at < r.directory.count; at += 2) {
     lam_spline_curve curve;
+    if (plane[at]) continue;
     if (!lam_iges_curve(&r, at, &curve)) return false;
     if (curve.count) lam_curve_append(arena, curves, label_of(&r, at), -1, curve);
   }

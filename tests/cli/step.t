@@ -196,7 +196,7 @@ def build(name, out, *more):
 made = {name: build(name, name) for name in names}
 check("surfaces are written as surface.json, STEP and IGES",
       [f"{n}: {made[n].stderr}" for n in names
-       if made[n].returncode or sorted(os.listdir(f"{work}/{n}")) != sorted(["surface.json", "surface.obj", n + ".step", n + ".igs"])])
+       if made[n].returncode or sorted(f for f in os.listdir(f"{work}/{n}") if f[0] != ".") != sorted(["surface.json", "surface.obj", n + ".step", n + ".igs"])])
 surfaces = {name: Surface(f"{work}/{name}/surface.json") for name in names}
 areas = {name: surfaces[name].area() for name in names}
 bounds = {name: surfaces[name].boundary() for name in names}
@@ -290,6 +290,27 @@ else:
                 wrong.append(f"{n}.{ending}: {c.name}: {length}, expected {c.length()}; {ends}")
     check(texts[6], wrong)
 
+# ---- boundaries ----
+
+# A Coons patch over the four curves of a file has the boundary of the surface whose edges they are.
+wrong = []
+framed = ["saddle", "unclamped", "asymptotic-quad", "developable"]
+for n in framed:
+    sources = [f"{n}/{n}.step", f"{n}/{n}.igs"] + ([f"{n}-copy.step", f"{n}-copy.igs"] if os.path.exists(reader) else [])
+    for source in sources:
+        design("frame", f"{{kind: coons, file: {source}, ground: no}}")
+        run = build("frame", f"{n}/frame", "--deps", f"{work}/deps")
+        if run.returncode or source not in open(f"{work}/deps").read():
+            wrong.append(f"{source}: {run.stderr} not among the files that the result depends on")
+        elif off(Surface(f"{work}/{n}/frame/surface.json").boundary(), bounds[n]) > 1e-9:
+            wrong.append(f"{source}: another boundary")
+design("film", "{kind: least-area, file: lines/lines.step, pick: [6, 1, 12, 5], ground: no}")
+border = sum(c.length() for c in curves["lines"] if c.name in ("A01", "A05", "B01", "B07"))
+run = build("film", "film")
+if run.returncode or off(Surface(f"{work}/film/surface.json").boundary(), border) > 1e-9:
+    wrong.append(f"film over the border lines of a net: {run.stderr}")
+check("four curves of a file bound a surface, also those that OpenCASCADE writes", wrong)
+
 # ---- lines ----
 
 wrong = [f"{n}: {made[n].stderr}" for n in lined if made[n].returncode]
@@ -323,10 +344,14 @@ wrong = []
 for text, message in (("missing.step", "surface.file: given missing.step; expected a file that can be read"),
                       ("saddle.yaml", "saddle.yaml: not a file of surfaces; expected .step, .stp, .igs, .iges, .json or .obj"),
                       ("saddle/saddle.step, face: 2", "saddle.step: face 2 asked for, but the file has 1 B-spline surface"),
-                      ("cut.step", "cut.step:9: is cut off: END-ISO-10303-21 expected")):
+                      ("cut.step", "cut.step:9: is cut off: END-ISO-10303-21 expected"),
+                      ("lines/lines.igs, kind: coons", "file: lines/lines.igs has 12 curves; expected four, or pick: with the numbers of four"),
+                      ("lines/lines.igs, pick: [1, 2, 3, 4], kind: coons", "m from the "),
+                      ("missing.igs, kind: coons", "surface.file: given missing.igs; expected a file that can be read"),
+                      ("cut.step, kind: coons", "cut.step:9: is cut off: END-ISO-10303-21 expected")):
     with open(f"{work}/cut.step", "w") as file:
         file.writelines(open(f"{work}/saddle/saddle.step").readlines()[:8])
-    design("bad", f"{{kind: file, file: {text}}}")
+    design("bad", f"{{file: {text}}}" if "kind" in text else f"{{kind: file, file: {text}}}")
     for verb in ("check", "build"):
         run = subprocess.run([program, verb, f"{work}/bad.yaml"], capture_output=True, text=True, cwd=work)
         if run.returncode != 2 or message not in run.stderr or run.stderr.count("\n") != 1:
