@@ -144,12 +144,13 @@ static bool take(const lam_named_curve *curve, lam_sides_limits limits, lam_plac
   const lam_spline_curve *c = &curve->spline;
   bool weighted = false;
   for (int i = 1; c->weights && i < c->count; i++) weighted |= c->weights[i] != c->weights[0];
-  const char *problem = c->degree <= limits.degree ? lam_spline_curve_problem(c) : NULL;
+  const char *problem =
+      c->degree <= limits.degree ? lam_knots_problem(c->degree, c->count, c->count + c->degree + 1, c->knots) : NULL;
   if (c->degree > limits.degree)
     lam_error_add(errors, place, "file", "curve %s has degree %d; expected at most %d", curve->name, c->degree,
                   limits.degree);
   else if (problem)
-    lam_error_add(errors, place, "file", "curve %s: %s", curve->name, problem);
+    lam_error_add(errors, place, "file", "the knots of curve %s %s", curve->name, problem);
   else if (weighted && limits.no_weights)
     lam_error_add(errors, place, "file",
                   "curve %s is rational (an arc is, too); expected polynomial curves: this surface is polynomial",

@@ -23,7 +23,7 @@ typedef struct lam_sides_keys {
   const char *file;  /* NULL: none */
   lam_list pick;     /* of int: which of the file's curves, from 1; empty: the file has four */
   int read_count;
-  const lam_named_curve *read; /* NULL: the file is not read; their numbers need not be sound */
+  const lam_named_curve *read; /* NULL: the file is not read. Sound but for knots that repeat too often */
 } lam_sides_keys;
 
 /* The tables of one curve: with points, weights, knots and degree; the second with `across` too. */

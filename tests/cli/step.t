@@ -340,6 +340,14 @@ for n in names:
             wrong.append(f"{n}/{source}: area {area}, expected {areas[n]}")
 check("each of the four files is read: areas agree to 1e-12, and --deps names the file", wrong)
 
+with open(f"{work}/assembly.step", "w") as file:
+    file.write(open(f"{work}/saddle/saddle.step").read().replace("ENDSEC;\nEND", "#99999=MAPPED_ITEM('',#1,#2);\nENDSEC;\nEND"))
+design("placed", "{kind: file, file: assembly.step}")
+run = subprocess.run([program, "build", f"{work}/placed.yaml", "-o", f"{work}/placed", "--only", "report"], capture_output=True, text=True)
+check("the report says that an assembly places its components",
+      [] if "in the file components are placed in an assembly" in run.stdout + open(f"{work}/placed/report.json").read()
+      else [run.stdout + run.stderr])
+
 wrong = []
 for text, message in (("missing.step", "surface.file: given missing.step; expected a file that can be read"),
                       ("saddle.yaml", "saddle.yaml: not a file of surfaces; expected .step, .stp, .igs, .iges, .json or .obj"),
