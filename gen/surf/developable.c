@@ -23,6 +23,8 @@ typedef struct developable_data {
 
 static const char *const methods[] = {"newton", "trust-region", "quasi-newton", "minimax", NULL};
 
+static lam_sides_keys *sides_of(void *params) { return &((developable_keys *)params)->sides; }
+
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const developable_keys *keys = params;
   lam_sides sides;
@@ -156,6 +158,7 @@ const lam_surface_kind lam_surface_developable = {
              .source = "Li & Deng, Construction and application of approximate developable surfaces, sec. 2-4",
              .keys = keys,
              .params_size = sizeof(developable_keys)},
+    .sides = sides_of,
     .prepare = prepare,
     .eval = lam_held_nurbs_eval,
     .domain = lam_held_nurbs_domain,

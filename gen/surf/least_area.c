@@ -145,10 +145,13 @@ static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *k
   return result;
 }
 
+static lam_sides_keys *sides_of(void *params) { return &((least_area_keys *)params)->sides; }
+
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const least_area_keys *keys = params;
   lam_spline_surface boundary;
-  if (!(keys->sides.curves.count ? read_curves : read_net)(arena, keys, place, errors, &boundary)) return NULL;
+  if (!(keys->sides.curves.count || keys->sides.file ? read_curves : read_net)(arena, keys, place, errors, &boundary))
+    return NULL;
   if (keys->mean_curvature != 0 && (keys->inner_weights == WEIGHTS_FREE || keys->method == METHOD_PAPER)) {
     lam_error_add(errors, place, "mean_curvature", "%g; expected 0 with free inner weights or method: paper",
                   keys->mean_curvature);
@@ -310,6 +313,7 @@ const lam_surface_kind lam_surface_least_area = {
              .source = "Wu & Wang, Designing approximate minimal NURBS surfaces with boundaries interpolation, 2010",
              .keys = keys_table,
              .params_size = sizeof(least_area_keys)},
+    .sides = sides_of,
     .prepare = prepare,
     .eval = eval,
     .domain = domain,
