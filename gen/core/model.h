@@ -217,6 +217,8 @@ typedef struct lam_map {
   const double *values;    /* not finite: undefined there */
   const int (*edges)[2];   /* vertices of the edges, when the values are on edges */
   const lam_vec3 *normals; /* unit normals of the net's vertices */
+  const lam_vec2 *layout;  /* the net's vertices in the plane that it is compared with; NULL: none */
+  double range[2];         /* of the colors, when several maps share them; 0, 0: that of the summary */
 } lam_map;
 
 /* ---- prints ---- */

@@ -68,9 +68,13 @@ lam_area_form *lam_area_form_make(lam_arena *arena, const lam_spline_surface *su
   return form;
 }
 
-void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form, int places) {
-  for (int d = 0; d < 2; d++)
+void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form) {
+  enum { along = 16 };
+  for (int d = 0; d < 2; d++) {
+    int few = form->rule[d].degree + 1, places = (along + form->rule[d].spans - 1) / form->rule[d].spans;
+    if (places < few) places = few;
     if (places < form->rule[d].places) form->second[d] = lam_area_rule_make(arena, &form->surface, d, places);
+  }
 }
 
 static void visit(const lam_area_form *form, const lam_area_rule rule[2], const lam_vec3 *points, int s, int t, int k,
@@ -119,30 +123,47 @@ int lam_area_inner(const lam_area_form *form, int s, int t, int a) {
   return i >= 0 && i < form->inner[0] && j >= 0 && j < form->inner[1] ? i * form->inner[1] + j : -1;
 }
 
-/* s and t n of every pair of functions; metric = weight / a (E, F, G). */
-static void add_pairs(const lam_area_form *form, const lam_area_place *place, const double metric[3], lam_vec3 n) {
-  double w = place->weight, *e = form->element;
-  double nn[6] = {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
+/* The functions of a span that belong to inner points. */
+typedef struct inner_functions {
+  int count, local[LAM_AREA_LOCAL], point[LAM_AREA_LOCAL];
+} inner_functions;
+
+static void find_inner(const lam_area_form *form, int s, int t, inner_functions *inner) {
+  inner->count = 0;
   for (int a = 0; a < form->local; a++) {
-    double fu = place->ru[a], fv = place->rv[a];
-    double su = metric[2] * fu - metric[1] * fv, sv = metric[0] * fv - metric[1] * fu;
-    fu *= w;
-    fv *= w;
-    for (int b = a; b < form->local; b++, e += LAM_AREA_TERMS) {
-      double gu = place->ru[b], gv = place->rv[b], s = su * gu + sv * gv, t = fu * gv - fv * gu;
+    int point = lam_area_inner(form, s, t, a);
+    if (point < 0) continue;
+    inner->local[inner->count] = a;
+    inner->point[inner->count++] = point;
+  }
+}
+
+/* s, s n n^T and t n of every pair of functions; metric = weight / a (E, F, G). */
+static void add_pairs(const lam_area_form *form, const inner_functions *inner, const lam_area_place *place,
+                      const double metric[3], lam_vec3 n) {
+  double *e = form->element, w = place->weight, u[LAM_AREA_LOCAL], v[LAM_AREA_LOCAL];
+  double symmetric[6] = {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z}, skew[3] = {n.x, n.y, n.z};
+  for (int a = 0; a < inner->count; a++) {
+    u[a] = place->ru[inner->local[a]];
+    v[a] = place->rv[inner->local[a]];
+  }
+  for (int a = 0; a < inner->count; a++) {
+    double su = metric[2] * u[a] - metric[1] * v[a], sv = metric[0] * v[a] - metric[1] * u[a], fu = w * u[a],
+           fv = w * v[a];
+    for (int b = a; b < inner->count; b++, e += LAM_AREA_TERMS) {
+      double s = su * u[b] + sv * v[b], t = fu * v[b] - fv * u[b];
       e[0] += s;
-      for (int c = 0; c < 6; c++) e[1 + c] += s * nn[c];
-      e[7] += t * n.x;
-      e[8] += t * n.y;
-      e[9] += t * n.z;
+      for (int c = 0; c < 6; c++) e[1 + c] += s * symmetric[c];
+      for (int c = 0; c < 3; c++) e[7 + c] += t * skew[c];
     }
   }
 }
 
-static void add_volume_pairs(const lam_area_form *form, const lam_area_place *place) {
+static void add_volume_pairs(const lam_area_form *form, const inner_functions *inner, const lam_area_place *place) {
   double half = form->mean_curvature * place->weight, *e = form->element;
-  for (int a = 0; a < form->local; a++)
-    for (int b = a; b < form->local; b++, e += LAM_AREA_TERMS) {
+  for (int k = 0; k < inner->count; k++)
+    for (int l = k; l < inner->count; l++, e += LAM_AREA_TERMS) {
+      int a = inner->local[k], b = inner->local[l];
       double u = half * (place->r[a] * place->ru[b] - place->r[b] * place->ru[a]);
       double v = half * (place->r[a] * place->rv[b] - place->r[b] * place->rv[a]);
       lam_vec3 t = lam_along(lam_scale(place->v, u), -v, place->u);
@@ -153,38 +174,46 @@ static void add_volume_pairs(const lam_area_form *form, const lam_area_place *pl
 }
 
 /* The sums of one span go to where the points keep them. */
-static void scatter(const lam_area_form *form, int s, int t) {
+static void scatter(const lam_area_form *form, const inner_functions *inner) {
   const double *e = form->element;
-  for (int a = 0; a < form->local; a++) {
-    int point = lam_area_inner(form, s, t, a);
-    for (int b = a; b < form->local; b++, e += LAM_AREA_TERMS) {
-      if (point < 0 || lam_area_inner(form, s, t, b) < 0) continue;
-      double *to = form->blocks + ((size_t)point * form->window + lam_area_slot(form, a, b)) * LAM_AREA_TERMS;
+  for (int a = 0; a < inner->count; a++)
+    for (int b = a; b < inner->count; b++, e += LAM_AREA_TERMS) {
+      int slot = lam_area_slot(form, inner->local[a], inner->local[b]);
+      double *to = form->blocks + ((size_t)inner->point[a] * form->window + slot) * LAM_AREA_TERMS;
       for (int c = 0; c < LAM_AREA_TERMS; c++) to[c] += e[c];
     }
+}
+
+static void add_place(const lam_area_form *form, const inner_functions *inner, const lam_area_place *place,
+                      bool dirichlet) {
+  lam_vec3 u = place->u, v = place->v, normal = lam_cross(u, v), n = {0};
+  double E = lam_dot(u, u), F = lam_dot(u, v), G = lam_dot(v, v), a = lam_length(normal), w = place->weight;
+  double least = 1e-14 * (E + G), scale = E + G > 0 ? w / fmax(a, least) : 0;
+  if (dirichlet) {
+    add_pairs(form, inner, place, (double[3]){w, 0, w}, n);
+    return;
   }
+  if (a > least) n = lam_scale(normal, 1 / a);
+  add_pairs(form, inner, place, (double[3]){scale * E, scale * F, scale * G}, n);
+  if (form->mean_curvature != 0) add_volume_pairs(form, inner, place);
 }
 
 static void fill_blocks(const lam_area_form *form, const lam_vec3 *points, bool dirichlet) {
   lam_area_place place;
+  inner_functions inner;
   const lam_area_rule *ru = &form->second[0], *rv = &form->second[1];
   int total = form->inner[0] * form->inner[1];
   memset(form->blocks, 0, (size_t)total * form->window * LAM_AREA_TERMS * sizeof *form->blocks);
   for (int s = 0; s < ru->spans; s++)
     for (int t = 0; t < rv->spans; t++) {
-      memset(form->element, 0, (size_t)(form->local * (form->local + 1) / 2) * LAM_AREA_TERMS * sizeof(double));
+      find_inner(form, s, t, &inner);
+      memset(form->element, 0, (size_t)(inner.count * (inner.count + 1) / 2) * LAM_AREA_TERMS * sizeof(double));
       for (int k = 0; k < ru->places; k++)
         for (int l = 0; l < rv->places; l++) {
           visit(form, form->second, points, s, t, k, l, &place);
-          lam_vec3 u = place.u, v = place.v, normal = lam_cross(u, v), n = {0};
-          double E = lam_dot(u, u), F = lam_dot(u, v), G = lam_dot(v, v), a = lam_length(normal), w = place.weight;
-          double least = 1e-14 * (E + G), scale = E + G > 0 ? w / fmax(a, least) : 0, metric[3] = {w, 0, w};
-          if (!dirichlet) memcpy(metric, (double[3]){scale * E, scale * F, scale * G}, sizeof metric);
-          if (!dirichlet && a > least) n = lam_scale(normal, 1 / a);
-          add_pairs(form, &place, metric, n);
-          if (form->mean_curvature != 0) add_volume_pairs(form, &place);
+          add_place(form, &inner, &place, dirichlet);
         }
-      scatter(form, s, t);
+      scatter(form, &inner);
     }
 }
 

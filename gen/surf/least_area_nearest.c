@@ -7,57 +7,20 @@
  * Pottmann, Leopoldseder & Hofer, Approximation with active B-spline curves and surfaces, 2002). Gauss-Newton:
  *   gradient_a = integral r R_a n,   block_ab = integral R_a R_b n n^T + lambda R_a R_b.
  * Beyond its border the target goes on along its tangent planes, so borders that do not quite agree do no harm. */
+#include "surf/closest.h"
 #include "surf/least_area_paper.h"
 #include "surf/least_area_parts.h"
 #include "surf/spline_surface.h"
 #include <math.h>
 #include <string.h>
 
-enum { along = 24, steps = 60, foot_steps = 30 }; /* along: quadrature places along a direction, at least */
+enum { along = 24, steps = 60 }; /* along: quadrature places along a direction, at least */
 
 typedef struct nearest {
   lam_area_form *form;
-  const lam_nurbs *target;
-  double low[2], high[2]; /* the target's domain */
+  const lam_spline_surface *target;
+  const lam_nurbs *nurbs; /* the target */
 } nearest;
-
-/* Moves (u, v) in the target's domain towards the point nearest to x, by projected Gauss-Newton steps that are halved
- * until they come nearer. Returns what the target is there. */
-static lam_jet find_foot(const nearest *n, lam_vec3 x, double at[2]) {
-  lam_jet jet;
-  lam_nurbs_eval(n->target, at[0], at[1], &jet);
-  for (int k = 0; k < foot_steps; k++) {
-    lam_vec3 d = lam_sub(x, jet.x);
-    double E = lam_dot(jet.u, jet.u), F = lam_dot(jet.u, jet.v), G = lam_dot(jet.v, jet.v), now = lam_dot(d, d);
-    double a[2] = {lam_dot(jet.u, d), lam_dot(jet.v, d)}, step[2] = {0, 0};
-    bool held[2];
-    for (int i = 0; i < 2; i++) held[i] = (at[i] <= n->low[i] && a[i] <= 0) || (at[i] >= n->high[i] && a[i] >= 0);
-    double determinant = E * G - F * F;
-    if (held[0] && held[1]) break;
-    if (held[0]) {
-      step[1] = a[1] / G;
-    } else if (held[1]) {
-      step[0] = a[0] / E;
-    } else {
-      step[0] = (G * a[0] - F * a[1]) / determinant;
-      step[1] = (E * a[1] - F * a[0]) / determinant;
-    }
-    double t = 1, fall = 0;
-    for (; t > 1e-3; t /= 2) {
-      double to[2];
-      lam_jet next;
-      for (int i = 0; i < 2; i++) to[i] = fmin(fmax(at[i] + t * step[i], n->low[i]), n->high[i]);
-      lam_nurbs_eval(n->target, to[0], to[1], &next);
-      fall = now - lam_dot(lam_sub(x, next.x), lam_sub(x, next.x));
-      if (!(fall > 0)) continue;
-      memcpy(at, to, sizeof to);
-      jet = next;
-      break;
-    }
-    if (!(fall > 1e-12 * now)) break;
-  }
-  return jet;
-}
 
 /* What a place adds to the gradient and the blocks. */
 static void add_place(const lam_area_form *form, int s, int t, const lam_area_place *place, lam_vec3 n, double r) {
@@ -77,7 +40,7 @@ static void add_place(const lam_area_form *form, int s, int t, const lam_area_pl
 }
 
 /* integral r^2, with its gradient / 2 and blocks; feet: u, v of every place, moved along. */
-static double compare(const nearest *n, const lam_vec3 *points, double (*feet)[2]) {
+static double compare(const nearest *n, const lam_vec3 *points, lam_vec2 *feet) {
   const lam_area_form *form = n->form;
   int total = form->inner[0] * form->inner[1];
   lam_area_place place;
@@ -89,7 +52,10 @@ static double compare(const nearest *n, const lam_vec3 *points, double (*feet)[2
       for (int k = 0; k < form->rule[0].places; k++)
         for (int l = 0; l < form->rule[1].places; l++) {
           lam_area_visit(form, points, s, t, k, l, &place);
-          lam_jet y = find_foot(n, place.x, *feet++);
+          lam_closest_on_surface foot = lam_spline_surface_closest_from(n->target, place.x, *feet);
+          lam_jet y;
+          *feet++ = (lam_vec2){foot.u, foot.v};
+          lam_nurbs_eval(n->nurbs, foot.u, foot.v, &y);
           lam_vec3 normal = lam_unit(lam_cross(y.u, y.v));
           double r = lam_dot(normal, lam_sub(place.x, y.x));
           sum += place.weight * r * r;
@@ -99,18 +65,15 @@ static double compare(const nearest *n, const lam_vec3 *points, double (*feet)[2
 }
 
 /* The parameters of the places, as first feet. */
-static double (*first_feet(lam_arena *arena, const lam_area_form *form, const nearest *n))[2] {
-  int places = form->rule[0].places, count = 0, of[2];
-  double(*feet)[2] =
-      lam_arena_alloc(arena, (size_t)(form->rule[0].spans * form->rule[1].spans * places * places), sizeof *feet);
-  for (int s = 0; s < form->rule[0].spans; s++)
-    for (int t = 0; t < form->rule[1].spans; t++)
-      for (of[0] = 0; of[0] < places; of[0]++)
-        for (of[1] = 0; of[1] < places; of[1]++, count++)
-          for (int d = 0; d < 2; d++) {
-            const double *at = form->rule[d].at + (d ? t : s) * places;
-            feet[count][d] = fmin(fmax(at[of[d]], n->low[d]), n->high[d]);
-          }
+static lam_vec2 *first_feet(lam_arena *arena, const lam_area_form *form) {
+  const lam_area_rule *u = &form->rule[0], *v = &form->rule[1];
+  int count = 0;
+  lam_vec2 *feet = LAM_NEW(arena, lam_vec2, u->spans * v->spans * u->places * v->places);
+  for (int s = 0; s < u->spans; s++)
+    for (int t = 0; t < v->spans; t++)
+      for (int k = 0; k < u->places; k++)
+        for (int l = 0; l < v->places; l++)
+          feet[count++] = (lam_vec2){u->at[s * u->places + k], v->at[t * v->places + l]};
   return feet;
 }
 
@@ -123,14 +86,11 @@ lam_spline_surface lam_spline_surface_nearest(lam_arena *arena, const lam_spline
   result.points = memcpy(points, start->points, size);
   lam_arena_mark mark = lam_arena_mark_get(arena);
   nearest n = {.form = lam_area_form_make(arena, start, 0, lam_area_places(start, along)),
-               .target = lam_nurbs_make(arena, target)};
-  for (int d = 0; d < 2; d++) {
-    n.low[d] = target->knots[d][target->degree[d]];
-    n.high[d] = target->knots[d][target->count[d]];
-  }
+               .target = target,
+               .nurbs = lam_nurbs_make(arena, target)};
   lam_area_system system = lam_area_system_make(arena, n.form, 3);
   lam_vec3 *trial = LAM_NEW(arena, lam_vec3, all), *step = LAM_NEW(arena, lam_vec3, system.size / 3);
-  double(*feet)[2] = first_feet(arena, n.form, &n);
+  lam_vec2 *feet = first_feet(arena, n.form);
   double now = compare(&n, points, feet), lambda = 1e-3;
   for (int k = 0; k < steps && lambda < 1e8; k++) {
     if (!lam_area_system_factor(&system, n.form, lambda)) {

@@ -43,8 +43,9 @@ typedef struct lam_area_form {
 /* places: Gauss places per span and direction. */
 lam_area_form *lam_area_form_make(lam_arena *arena, const lam_spline_surface *surface, double mean_curvature,
                                   int places);
-/* The second variation by fewer places: steps change a little, the surface that they lead to does not. */
-void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form, int places);
+/* The second variation by degree + 1 places per span, or as many as make 16 in a direction: it becomes cheaper, steps
+ * change a little, and the surface that they lead to does not. One place less doubles the number of steps. */
+void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form);
 /* Places per span: degree + 3, and more where that gives less than `along` in a direction: a single rational patch can
  * hide area between the places. */
 int lam_area_places(const lam_spline_surface *surface, int along);
