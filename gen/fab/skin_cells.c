@@ -100,7 +100,7 @@ static void differentiate(const lam_net *net, int v, const lam_vec3 *values, lam
  * all edges as well as possible. Relaxed are the logarithms l of their lengths, l_i + l_j = log(|p_j - p_i| / |n_i x
  * n_j|); alternating parts of l, about which these equations say nothing, do not arise. */
 static lam_vec3 *make_conormals(lam_arena *arena, const lam_net *net) {
-  enum { SWEEPS = 20 };
+  enum { SWEEPS = 80 };
   int n = net->mesh.vertex_count, *count = LAM_NEW(arena, int, n);
   const lam_vec3 *x = net->mesh.vertices;
   lam_vec3 *normals = LAM_NEW(arena, lam_vec3, n);
