@@ -1,6 +1,7 @@
 /* lamella build DESIGN: from a design file to a folder of files. */
 #include "design/build.h"
 #include "cli/complain.h"
+#include "cli/manifest.h"
 #include "cli/mesh_files.h"
 #include "cli/output.h"
 #include "cli/references.h"
@@ -108,9 +109,15 @@ static bool load_triangles(void *context, lam_arena *arena, const char *path, la
 }
 
 static bool load_surface(void *context, lam_arena *arena, const char *path, int face, lam_place place,
-                         lam_errors *errors, lam_spline_surface *surface) {
+                         lam_errors *errors, lam_spline_surface *surface, const char **note) {
   (void)place;
-  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface);
+  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface, note);
+}
+
+static bool load_curves(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors,
+                        int *count, const lam_named_curve **curves) {
+  (void)place;
+  return lam_input_curves(arena, beside(context, arena, path), errors, count, curves);
 }
 
 /* Builds another design as far as its net. */
@@ -136,8 +143,12 @@ static bool load_net(void *context, lam_arena *arena, const char *name, lam_plac
   if (!lam_design_parse(arena, bytes, count, files.design, NULL, 0, errors, &design)) return false;
   lam_references_check(&design, errors);
   design.parts.count = 0;
-  lam_loader loader = {
-      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
+  lam_loader loader = {.mesh = load_mesh,
+                       .triangles = load_triangles,
+                       .context = &files,
+                       .net = load_net,
+                       .surface = load_surface,
+                       .curves = load_curves};
   if (errors->count > before || !lam_design_build(arena, &design, &loader, NULL, errors, &model)) return false;
   if (!model.net)
     lam_error_add(errors, place, "net.from.design", "%s has no net", files.design);
@@ -191,6 +202,10 @@ static int finish(lam_arena *arena, const arguments *given, const lam_model *mod
   if (!output.templates) return lam_complain_plain(1, "the templates folder is not found; set LAMELLA_TEMPLATES");
   if (!given->timings) forget_times(model->report);
   lam_output_write(arena, model, &output, &notes, &errors);
+  int removed = 0;
+  if (errors.count == 0)
+    removed = lam_manifest_update(arena, folder, model->name, output.file_count, output.files,
+                                  given->only || given->skip, &errors);
   if (given->deps && errors.count == 0) write_deps(arena, given, folder, files, &output, &errors);
   lam_progress_tell(progress, NULL, 1, "");
   for (const lam_error *note = notes.first; note; note = note->next) fprintf(stderr, "lamella: %s\n", note->text);
@@ -201,6 +216,7 @@ static int finish(lam_arena *arena, const arguments *given, const lam_model *mod
   if (!given->quiet) {
     lam_report_print(model->report, stdout);
     printf("%d files in %s\n", output.file_count, folder);
+    if (removed) printf("%d files of the last build, which this one does not make, were removed\n", removed);
   }
   return lam_report_converged(model->report) ? 0 : 1;
 }
@@ -221,8 +237,12 @@ static int build(lam_arena *arena, int argc, char **argv) {
   if (errors.count == 0) lam_references_check(design, &errors);
   if (errors.count) return lam_complain(&errors);
   source_files files = {.design = given.path};
-  lam_loader loader = {
-      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
+  lam_loader loader = {.mesh = load_mesh,
+                       .triangles = load_triangles,
+                       .context = &files,
+                       .net = load_net,
+                       .surface = load_surface,
+                       .curves = load_curves};
   lam_progress progress = lam_terminal_progress(arena, given.quiet);
   lam_model *model = LAM_NEW(arena, lam_model, 1);
   if (!lam_design_build(arena, design, &loader, &progress, &errors, model)) {

@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 /* Moves the sides of a simple polygon (either orientation) outward by distance, inward when it is negative; exact to a
- * nanometre. result has room for LAM_OFFSET_ROOM(count) points and becomes counterclockwise. LAM_BAD_INPUT when moving
+ * nanometer. result has room for LAM_OFFSET_ROOM(count) points and becomes counterclockwise. LAM_BAD_INPUT when moving
  * back would not give the polygon again: a slot closed up or a part of it vanished; LAM_NO_MEMORY, LAM_FAILED. */
 lam_status lam_offset_polygon(const lam_vec2 *points, int count, double distance, lam_vec2 *result, int *result_count);
 

@@ -8,27 +8,16 @@
 #include "core/arena.h"
 #include "core/model.h"
 
-/* Four curves that meet at the corners: r1 (v = 0) and r3 (v = 1) along u, r2 (u = 0) and r4 (u = 1) along v. Opposite
- * curves share degree and knots (clamped). */
-typedef struct lam_four_sides {
-  int degree[2], count[2];
-  const double *knots[2];   /* count + degree + 1 each */
-  const lam_vec3 *curve[4]; /* r1, r2, r3, r4: count[0], count[1], count[0], count[1] control points */
-} lam_four_sides;
-
-/* The Coons surface of a boundary, exactly: linear functions are splines whose coefficients are the knot averages.
- * Knots are kept by pointer, points owned by the arena. */
-lam_spline_surface lam_coons_surface(lam_arena *arena, const lam_four_sides *boundary);
-
 typedef enum lam_developable_method {
   LAM_DEVELOPABLE_NEWTON,       /* Levenberg-Marquardt, then Newton's method on the p-th power of the norm */
   LAM_DEVELOPABLE_TRUST_REGION, /* Li & Deng, algorithm 1 */
   LAM_DEVELOPABLE_QUASI_NEWTON, /* Li & Deng, algorithm 2 */
+  LAM_DEVELOPABLE_MINIMAX, /* the largest |K| is made least: Newton's method on ever higher powers, edges included */
 } lam_developable_method;
 
 typedef struct lam_developable_options {
   lam_developable_method method;
-  double power;       /* p >= 2; above 2 the minima of smaller powers come first */
+  double power;       /* p >= 2; above 2 the minima of smaller powers come first; not used by MINIMAX */
   int points;         /* Gauss points per knot span and direction of the last steps; 0: chosen from degree and spans */
   int max_iterations; /* of one power; 0: 500 */
 } lam_developable_options;
@@ -38,12 +27,12 @@ typedef struct lam_developable_result {
   const char *reason;
   int iterations, evaluations; /* accepted and tried steps, over all powers */
   int escapes;                 /* saddle points that were left */
-  double norm;                 /* ||K||_p by the rule that was minimized with */
+  double norm;                 /* ||K||_p by the rule that was minimized with; MINIMAX: the largest |K| of its places */
 } lam_developable_result;
 
-/* Moves the inner control points of surface (weights NULL, knots sound) from where they are. Algorithms 1 and 2 start
- * from a unit matrix and depend on the unit of length; Newton's method does not. The boundary stays. The points are
- * replaced by an array of the arena. Not converging is a result. */
+/* Moves the inner control points of surface, for instance a Coons patch (surf/coons_patch.h; weights NULL, knots sound)
+ * from where they are. Algorithms 1 and 2 start from a unit matrix and depend on the unit of length; Newton's method
+ * does not. The boundary stays. The points are replaced by an array of the arena. Not converging is a result. */
 lam_developable_result lam_developable_solve(lam_arena *arena, lam_spline_surface *surface,
                                              lam_developable_options options);
 
@@ -58,5 +47,7 @@ typedef struct lam_developable_measures {
 } lam_developable_measures;
 lam_developable_measures lam_developable_measure(lam_arena *arena, const lam_spline_surface *surface, int points,
                                                  int grid);
+/* The corner bound alone. */
+double lam_developable_bound(lam_arena *arena, const lam_spline_surface *surface);
 
 #endif

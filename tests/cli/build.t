@@ -45,6 +45,18 @@ check "the rule names the design and the OpenSCAD library" grep -qE "enneper-mod
 printf 'all: %s/four/report.json\ninclude %s/deps.d\n' "$work" "$work" >"$work/Makefile"
 check "make reads the rule and has nothing to do" make -q -f "$work/Makefile" all
 
+# a folder that is built into again
+again() { "$lamella" build $desk -o "$work/again" --quiet --set render.quality=thumb --set 'render.size=[64,36]' "$@"; }
+again && touch "$work/again/parts/mine.stl"
+last=$work/again/parts/$(ls "$work/one/parts" | tail -1)
+again --set 'parts[0].every=4' --only report
+check "a build of some formats removes nothing" test -e "$last"
+again --set 'parts[0].every=4'
+check "a build with fewer parts removes those that are gone" test ! -e "$last"
+check "what the program did not write stays" test -e "$work/again/parts/mine.stl"
+again --set name=other --set 'parts=[]'
+check "another design in the same folder removes nothing" test "$(ls "$work/again/parts" | wc -l)" -gt 10
+
 check "a wrong design ends with 2" bash -c "'$lamella' build $desk -o '$work/bad' --set net.grid=[0,4] >/dev/null 2>&1; [ \$? = 2 ]"
 check "and leaves nothing behind" test ! -e "$work/bad"
 check "a net that cannot exist ends with 1" bash -c "'$lamella' build $desk -o '$work/dome' --only report,obj --quiet \

@@ -39,7 +39,7 @@ ok "the distance is 0.2 mm" says 1 '^from B to A +0\.2 '
 run diff box.obj open.obj
 ok "an open mesh differs from a closed one" says 1 '^different: closed'
 run diff box.obj crumb.obj
-ok "a crumb of a micrometre inside differs in components" says 1 '^different: components, Euler number'
+ok "a crumb of a micrometer inside differs in components" says 1 '^different: components, Euler number'
 cat >tetra.stl <<END
 solid corner of a cube of 10 mm
 facet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 10 0 vertex 10 0 0 endloop endfacet

@@ -304,7 +304,7 @@ static void irregular_vertices_take_part(void **state) {
   assert_int_equal(o.result.skipped, 0);
 }
 
-/* In millimeters or kilometres, the same steps and the same net; twice the same, the same bytes. */
+/* In millimeters or kilometers, the same steps and the same net; twice the same, the same bytes. */
 static void solving_does_not_depend_on_the_unit(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = saddle(f, 8), large = saddle(f, 8);

@@ -64,7 +64,7 @@ static const char *written(lam_arena *arena, int file) {
 #define CONTAINS(text, part) assert_non_null(strstr((text), (part)))
 
 /* Lengths are in millimeters with the decimals of their column; other numbers are as they are. */
-static void records_are_in_millimetres(void **state) {
+static void records_are_in_millimeters(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
   const char *data = written(arena, 1);
@@ -111,7 +111,7 @@ static void a_model_without_parts_gives_no_file(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(records_are_in_millimetres),
+      cmocka_unit_test(records_are_in_millimeters),
       cmocka_unit_test(solids_are_turned_and_placed),
       cmocka_unit_test(the_main_file_is_made_for_the_customizer),
       cmocka_unit_test(a_model_without_parts_gives_no_file),
