@@ -18,7 +18,7 @@ within() { # design, stage, name, field, low, high
     for my $s (@{$r->{stages}}) { next if index($s->{stage}, $stage) || !$s->{measures}{$name}; my $x = $s->{measures}{$name}{$field};
       print "$name $field is $x, expected $low to $high\n"; exit !($x >= $low && $x <= $high) } print "no $name\n"; exit 1' "$work/$1/report.json" "${@:2}"
 }
-surfaces() { [ "$(grep -c '"degree"' "$work/$1/surface.json")" = "$2" ]; }
+surfaces() { [ "$(grep -c '"knots_u"' "$work/$1/surface.json")" = "$2" ]; }
 
 for design in asymptotic-quad-enneper asymptotic-quad-roof asymptotic-pavilion-skin; do
   check "$design builds" "$lamella" build templates/designs/$design.yaml -o "$work/$design" --only report,surface --quiet
