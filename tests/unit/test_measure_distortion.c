@@ -138,6 +138,11 @@ static void maps_are_compared_on_one_scale(void **state) {
     for (const char *at = out.data; (at = strstr(at, " class=\"line\"/>")); at++) faces++;
     assert_int_equal(faces, (i < 2 ? 2 : 1) * 1024);
     assert_true((strstr(out.data, "<g class=\"layout\"") != NULL) == (i < 2));
+    lam_text scene = {.arena = f->arena}; /* faces have their own four vertices, in space and in the layout */
+    assert_int_equal(lam_format_plot_gltf.write(&model, i, &scene), LAM_OK);
+    scene.data[scene.length - 1] = 0;
+    const char *expected = i < 2 ? "\"count\":8192" : "\"count\":1089";
+    if (!strstr(scene.data + 20, expected)) fail_msg("the scene has no %s", expected);
   }
 }
 

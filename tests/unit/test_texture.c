@@ -64,7 +64,7 @@ static void distortion_has_the_colors_of_its_values(void **state) {
       low = fmin(low, print->sheets[k].places[v].x);
       high = fmax(high, print->sheets[k].places[v].x);
     }
-    assert_true(low >= 0 && low < 0.02);
+    assert_true(low >= 0 && low < 0.05);
     if (k < 2 ? high > 0.0085 : high < 0.9 || high > 1) fail_msg("%s: up to %.4g", print->sheets[k].name, high);
   }
   const unsigned char *pixels = lam_motif_draw(f->arena, LAM_MOTIF_DISTORTION, 1, 1, 64);
