@@ -2,6 +2,7 @@
  * defaults of the surface kind, figs. 3 and 4) and on a cone, with the same quadrature and exact gradients. */
 #include "cli/bench.h"
 #include "curve/basis.h"
+#include "surf/coons_patch.h"
 #include "surf/developable.h"
 
 #include <stdio.h>
@@ -43,8 +44,9 @@ static lam_spline_surface coons(lam_arena *arena, const boundary_case *c, const 
     curve[2][k] = c->net[k][3];
     curve[3][k] = c->net[3][k];
   }
-  lam_four_sides b = {{3, 3}, {4, 4}, {knots, knots}, {curve[0], curve[1], curve[2], curve[3]}};
-  return lam_coons_surface(arena, &b);
+  lam_sides sides = {0};
+  for (int i = 0; i < LAM_SIDES; i++) sides.side[i] = (lam_spline_curve){3, 4, knots, curve[i], NULL};
+  return lam_coons_surface(arena, &sides, LAM_COONS_BILINEAR);
 }
 
 static void run(lam_bench *bench, const boundary_case *c, lam_developable_method method, int points, const char *name) {

@@ -48,6 +48,13 @@ typedef struct lam_spline_surface {
   const double *weights;  /* positive, in the order of points; NULL: all 1 */
 } lam_spline_surface;
 
+/* A curve for CAD programs: the axis of a lamella, or a line of the net. */
+typedef struct lam_named_curve {
+  const char *name; /* unique among the curves and file-name safe, for instance "A07" */
+  int family;       /* 0, 1, or -1 */
+  lam_spline_curve spline;
+} lam_named_curve;
+
 /* ---- materials ---- */
 typedef struct lam_material {
   const char *name, *doc;
@@ -248,6 +255,8 @@ typedef struct lam_model {
   const lam_vec3 *const *frames; /* positions of the net's vertices */
   int surface_count;             /* smooth surfaces that are splines */
   const lam_spline_surface *surfaces;
+  int curve_count; /* axes of lamellas; without them, lines of the net */
+  const lam_named_curve *curves;
   int part_count;
   const lam_part *parts;
   int record_kind_count; /* per part kind with records: its columns and OpenSCAD settings */

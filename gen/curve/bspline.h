@@ -69,6 +69,9 @@ lam_bspline lam_bspline_elevate(lam_arena *arena, lam_bspline f, int target);
  * order `ends` of f at both ends. Inner knots lose one repetition, but not the last. Exact when f is an elevated
  * spline. deviation: a bound on max |f - g|; may be NULL. Preconditions: degree >= 2, 0 <= ends <= degree / 2. */
 lam_bspline lam_bspline_reduce(lam_arena *arena, lam_bspline f, int ends, double *deviation);
+/* Inner knots that are nearer than 1e-12 of the domain to one of a spline earlier in the list become that one, so that
+ * they count as one in products and sums. Precondition: the same domain. */
+void lam_bspline_snap(lam_arena *arena, int count, lam_bspline *list);
 /* Brings all splines to the highest of their degrees and to common knots. Inner knots of different splines that are
  * nearer than 1e-12 of the domain count as one, that of the first. Precondition: the same domain. */
 void lam_bspline_match(lam_arena *arena, int count, lam_bspline *list);

@@ -52,6 +52,10 @@ static void snap(lam_arena *arena, int k, lam_bspline *list) {
   list[k].knots = knots;
 }
 
+void lam_bspline_snap(lam_arena *arena, int count, lam_bspline *list) {
+  for (int k = 1; k < count; k++) snap(arena, k, list);
+}
+
 void lam_bspline_match(lam_arena *arena, int count, lam_bspline *list) {
   int degree = 0, size = 0;
   for (int k = 0; k < count; k++) degree = list[k].degree > degree ? list[k].degree : degree;

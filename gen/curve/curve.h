@@ -47,6 +47,8 @@ lam_spline_curve lam_spline_curve_reduce(lam_arena *arena, lam_spline_curve curv
 lam_spline_curve lam_spline_curve_part(lam_arena *arena, lam_spline_curve curve, double low, double high);
 /* The same curve, traveled backwards over the same domain. */
 lam_spline_curve lam_spline_curve_reverse(lam_arena *arena, lam_spline_curve curve);
+/* The same curve over [low, high]. */
+lam_spline_curve lam_spline_curve_move_domain(lam_arena *arena, lam_spline_curve curve, double low, double high);
 /* The Bezier pieces, as curves of their own over their parts of the domain. Sets count. */
 const lam_spline_curve *lam_spline_curve_pieces(lam_arena *arena, lam_spline_curve curve, int *count);
 /* s x for a scalar spline s of the same domain: the curve of the points s(t) x(t). */

@@ -48,6 +48,12 @@ lam_spline_curve lam_spline_curve_reverse(lam_arena *arena, lam_spline_curve cur
   return lam_spline_curve_from_net(arena, lam_bspline_reverse(arena, net_of(arena, &curve)));
 }
 
+lam_spline_curve lam_spline_curve_move_domain(lam_arena *arena, lam_spline_curve curve, double low, double high) {
+  lam_bspline net = {curve.degree, curve.count, 0, curve.knots, NULL};
+  curve.knots = lam_bspline_move_domain(arena, net, low, high).knots;
+  return curve;
+}
+
 const lam_spline_curve *lam_spline_curve_pieces(lam_arena *arena, lam_spline_curve curve, int *count) {
   lam_pieces pieces = lam_bspline_pieces(arena, net_of(arena, &curve), 0, NULL);
   lam_spline_curve *list = LAM_NEW(arena, lam_spline_curve, pieces.count);

@@ -10,6 +10,7 @@
 #include "net/start.h"
 #include "net/trace.h"
 #include "surf/place.h"
+#include "surf/sides_keys.h"
 #include "surf/texture.h"
 
 #include <math.h>
@@ -235,10 +236,16 @@ static bool make_surface(pipeline *p) {
   if (kind->reads_file && p->loader && p->loader->surface) {
     lam_surface_source *source = row->params;
     lam_spline_surface *surface = LAM_NEW(p->arena, lam_spline_surface, 1);
-    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface))
+    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface,
+                            &source->note))
       return false;
     source->surface = surface;
   }
+  lam_sides_keys *sides = kind->sides ? kind->sides(row->params) : NULL;
+  if (sides && sides->file && p->loader && p->loader->curves &&
+      !p->loader->curves(p->loader->context, p->arena, sides->file, row->place, p->errors, &sides->read_count,
+                         &sides->read))
+    return false;
   p->surface = lam_surface_make(p->arena, row, p->errors);
   return p->errors->count == before;
 }
@@ -262,6 +269,17 @@ static void keep_spline(pipeline *p, lam_workshop *workshop) {
   to.points = points;
   to.name = "surface";
   lam_workshop_surface(workshop, to);
+}
+
+/* The lines of the net as curves, where no part has given axes. They are named as lamellas would be. */
+static void keep_lines(const pipeline *p, lam_workshop *workshop) {
+  int numbers[2] = {0};
+  if (!p->net || !p->design->net.head || workshop->curve_count) return;
+  for (int i = 0; i < p->net->polyline_count; i++) {
+    const lam_polyline *line = &p->net->polylines[i];
+    lam_workshop_curve(workshop, lam_arena_printf(p->arena, "%c%02d", 'A' + line->family, ++numbers[line->family]),
+                       line);
+  }
 }
 
 /* ---- prints ---- */
@@ -414,8 +432,11 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
   keep_spline(&p, workshop);
   if (!make_print(&p, workshop) || !make_parts(&p, workshop)) return false;
+  keep_lines(&p, workshop);
   model->surface_count = workshop->surface_count;
   model->surfaces = workshop->surfaces;
+  model->curve_count = workshop->curve_count;
+  model->curves = workshop->curves;
   model->part_count = workshop->part_count;
   model->parts = workshop->parts;
   model->record_kind_count = workshop->record_kind_count;

@@ -1,19 +1,16 @@
 /* The kind of surface that designs use; the mathematics is in surf/developable_*.c. */
 #include "surf/developable.h"
-#include "curve/basis.h"
-#include "curve/collocation.h"
 #include "fab/workshop.h"
+#include "surf/coons_patch.h"
 #include "surf/flatten.h"
-#include "surf/kind.h"
+#include "surf/sides_keys.h"
 #include "surf/spline_surface.h"
 
-#include <string.h>
-
-enum { MOST_INNER = 300, REPORT_GRID = 400 };
+enum { MOST_DEGREE = 8, MOST_INNER = 300, REPORT_GRID = 400 };
 
 typedef struct developable_keys {
-  lam_list curve[4], knots[2];
-  int degree[2], unit, method, cells;
+  lam_sides_keys sides;
+  int method, cells;
   double power;
 } developable_keys;
 
@@ -24,103 +21,27 @@ typedef struct developable_data {
   int cells;
 } developable_data;
 
-static const char *const curve_names[4] = {"v0", "u0", "v1", "u1"}; /* in the order of lam_four_sides.curve */
 static const char *const methods[] = {"newton", "trust-region", "quasi-newton", "minimax", NULL};
 
-/* ---- the boundary ---- */
-
-/* The points of curve i, raised to `count` points when it is a Bezier curve of fewer. */
-static const lam_vec3 *curve_points(lam_arena *arena, const developable_keys *keys, int i, int count) {
-  int given = keys->curve[i].count / 3;
-  double *values = LAM_NEW(arena, double, 3 * count), unit = lam_point_unit(keys->unit);
-  lam_vec3 *points = LAM_NEW(arena, lam_vec3, count);
-  memcpy(values, keys->curve[i].items, (size_t)(3 * given) * sizeof *values);
-  if (given < count) lam_bezier_elevate(given - 1, count - 1, 3, values);
-  for (int k = 0; k < count; k++)
-    points[k] = lam_scale(lam_v3(values[3 * k], values[3 * k + 1], values[3 * k + 2]), unit);
-  return points;
-}
-
-static bool check_points(const developable_keys *keys, lam_place place, lam_errors *errors) {
-  int before = errors->count;
-  for (int i = 0; i < 4; i++) {
-    int count = keys->curve[i].count, most = keys->degree[i % 2] ? 1000 : LAM_BASIS_MAX_VALUES;
-    if (count % 3 || count < 6 || count > 3 * most)
-      lam_error_add(errors, place, curve_names[i], "%d numbers given; expected x, y and z of 2 to %d points", count,
-                    most);
-  }
-  return errors->count == before;
-}
-
-/* Degree, number of points and knots in direction d. */
-static void set_direction(lam_arena *arena, const developable_keys *keys, int d, lam_place place, lam_errors *errors,
-                          lam_four_sides *b) {
-  int first = keys->curve[d].count / 3, second = keys->curve[d + 2].count / 3;
-  const lam_list *knots = &keys->knots[d];
-  const char *knot_name = d ? "knots_v" : "knots_u";
-  b->count[d] = first > second ? first : second;
-  b->degree[d] = keys->degree[d] ? keys->degree[d] : b->count[d] - 1;
-  if (keys->degree[d] && first != second) {
-    lam_error_add(errors, place, curve_names[d + 2], "%d points given; expected %d, as many as %s has", second, first,
-                  curve_names[d]);
-  } else if (b->degree[d] >= b->count[d]) {
-    lam_error_add(errors, place, "degree", "degree %d given; expected at most %d with %d points", b->degree[d],
-                  b->count[d] - 1, b->count[d]);
-  } else if (knots->count) {
-    const char *problem = lam_knots_problem(b->degree[d], b->count[d], knots->count, knots->items);
-    const double *t = knots->items;
-    if (!problem && (t[0] < t[b->degree[d]] || t[b->count[d]] < t[knots->count - 1]))
-      problem = "must begin and end with degree + 1 equal ones, so that the curves meet at their end points";
-    if (!keys->degree[d])
-      lam_error_add(errors, place, knot_name, "given without a degree; expected a degree too, or no knots");
-    else if (problem)
-      lam_error_add(errors, place, knot_name, "%d knots given: they %s", knots->count, problem);
-    b->knots[d] = t;
-  } else {
-    double *clamped = LAM_NEW(arena, double, b->count[d] + b->degree[d] + 1);
-    lam_knots_clamped(b->degree[d], b->count[d], clamped);
-    b->knots[d] = clamped;
-  }
-}
-
-/* The curves must meet, to a millionth of the boundary's size. */
-static void check_corners(const lam_four_sides *b, lam_place place, lam_errors *errors) {
-  static const int ends[4][4] = {{0, 0, 1, 0}, {0, 1, 3, 0}, {2, 0, 1, 1}, {2, 1, 3, 1}}; /* curve, end, curve, end */
-  double size = 0;
-  for (int i = 0; i < 4; i++)
-    for (int k = 0; k < b->count[i % 2]; k++) size = fmax(size, lam_distance(b->curve[0][0], b->curve[i][k]));
-  for (int c = 0; c < 4; c++) {
-    int i = ends[c][0], j = ends[c][2];
-    lam_vec3 p = b->curve[i][ends[c][1] ? b->count[i % 2] - 1 : 0],
-             q = b->curve[j][ends[c][3] ? b->count[j % 2] - 1 : 0];
-    if (lam_distance(p, q) > 1e-6 * size)
-      lam_error_add(errors, place, curve_names[j], "its %s lies %.3g m from the %s of %s; expected curves that meet",
-                    ends[c][3] ? "end" : "start", lam_distance(p, q), ends[c][1] ? "end" : "start", curve_names[i]);
-  }
-  if (!(size > 0)) lam_error_add(errors, place, curve_names[0], "all points are one; expected curves");
-}
-
-/* ---- the surface ---- */
+static lam_sides_keys *sides_of(void *params) { return &((developable_keys *)params)->sides; }
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const developable_keys *keys = params;
-  int before = errors->count;
-  lam_four_sides b = {0};
-  if (!check_points(keys, place, errors)) return NULL;
-  for (int d = 0; d < 2; d++) set_direction(arena, keys, d, place, errors, &b);
-  if (errors->count > before) return NULL;
-  for (int i = 0; i < 4; i++) b.curve[i] = curve_points(arena, keys, i, b.count[i % 2]);
-  check_corners(&b, place, errors);
-  if ((b.count[0] - 2) * (b.count[1] - 2) > MOST_INNER)
-    lam_error_add(errors, place, "degree", "%d x %d points are %d inner ones; expected at most %d", b.count[0],
-                  b.count[1], (b.count[0] - 2) * (b.count[1] - 2), MOST_INNER);
-  if (errors->count > before) return NULL;
+  lam_sides sides;
+  if (!lam_sides_read(arena, &keys->sides, (lam_sides_limits){MOST_DEGREE, true}, place, errors, &sides)) return NULL;
+  lam_spline_surface surface = lam_coons_surface(arena, &sides, LAM_COONS_BILINEAR);
+  int inner = (surface.count[0] - 2) * (surface.count[1] - 2);
+  if (inner > MOST_INNER) {
+    lam_error_add(errors, place, "curves",
+                  "opposite curves have %d x %d points in common, %d inner ones; expected at most %d", surface.count[0],
+                  surface.count[1], inner, MOST_INNER);
+    return NULL;
+  }
   developable_data *data = LAM_NEW(arena, developable_data, 1);
-  lam_spline_surface surface = lam_coons_surface(arena, &b);
   data->cells = keys->cells;
   data->coons = lam_developable_measure(arena, &surface, 40, REPORT_GRID);
   if (!(data->coons.least_ratio > 1e-6)) {
-    lam_error_add(errors, place, curve_names[0],
+    lam_error_add(errors, place, "curves",
                   "the Coons surface over these curves has a place without a tangent plane; expected four sides that "
                   "do not touch each other along the way");
     return NULL;
@@ -188,34 +109,12 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
 }
 
 #define AT(member) offsetof(developable_keys, member)
-#define CURVE(index, key, points, sentence)                                                                            \
-  { .name = key, .type = LAM_KEY_NUMBER, .offset = AT(curve[index]), .initial = points, .doc = sentence }
-#define KNOTS(index, key, direction)                                                                                   \
-  {                                                                                                                    \
-    .name = key, .type = LAM_KEY_NUMBER, .offset = AT(knots[index]), .initial = "[]",                                  \
-    .doc = "Knots of the curves along " direction                                                                      \
-           " when they are B-splines: count + degree + 1 numbers; none: clamped and evenly spaced."                    \
-  }
-
 static const lam_key keys[] = {
-    CURVE(0, "v0", "[0, 0, 0,  1, -0.2, 0.55,  2, 0.1, 0.75,  3, 0, 0.3]",
-          "x, y, z of the control points of the curve v=0, along u. A Bezier curve of any degree, or a B-spline."),
-    CURVE(2, "v1", "[0, 3, 0.25,  1, 3.15, 0.95,  2, 2.9, 0.8,  3, 3, 0.05]", "The opposite curve, v=1, along u."),
-    CURVE(1, "u0", "[0, 0, 0,  -0.15, 1, 0.2,  0.1, 2, 0.1,  0, 3, 0.25]",
-          "The curve u=0, along v: from the start of v0 to the start of v1."),
-    CURVE(3, "u1", "[3, 0, 0.3,  3.1, 1, -0.05,  3.2, 2, 0.05,  3, 3, 0.05]",
-          "The curve u=1, along v: from the end of v0 to the end of v1."),
-    {.name = "degree",
-     .type = LAM_KEY_INTEGER,
-     .offset = AT(degree),
-     .count = 2,
-     .initial = "[0, 0]",
-     .min = 0,
-     .max = 8,
-     .doc = "Degree of the curves along u and of those along v when they are B-splines; 0: Bezier curves, and opposite "
-            "ones may differ in degree."},
-    KNOTS(0, "knots_u", "u"),
-    KNOTS(1, "knots_v", "v"),
+    LAM_SIDES_KEYS(developable_keys, sides, lam_side_table,
+                   "[{points: [0, 0, 0,  1, -0.2, 0.55,  2, 0.1, 0.75,  3, 0, 0.3]},"
+                   " {points: [0, 0, 0,  -0.15, 1, 0.2,  0.1, 2, 0.1,  0, 3, 0.25]},"
+                   " {points: [0, 3, 0.25,  1, 3.15, 0.95,  2, 2.9, 0.8,  3, 3, 0.05]},"
+                   " {points: [3, 0, 0.3,  3.1, 1, -0.05,  3.2, 2, 0.05,  3, 3, 0.05]}]"),
     {.name = "power",
      .type = LAM_KEY_NUMBER,
      .offset = AT(power),
@@ -243,28 +142,23 @@ static const lam_key keys[] = {
      .min = 2,
      .max = 200,
      .doc = "Cells in each direction of the grid that is laid flat for the report."},
-    {.name = "unit",
-     .type = LAM_KEY_CHOICE,
-     .offset = AT(unit),
-     .count = 1,
-     .initial = "m",
-     .choices = lam_point_units,
-     .doc = "Unit of the numbers in the curves."},
     {0}};
 
 const lam_surface_kind lam_surface_developable = {
     .head = {.name = "developable",
              .title = "Nearly developable patch",
-             .doc = "The surface over four boundary curves that is as developable as a smooth patch over them can be: "
-                    "what sheet metal or plywood does when it is fixed along a frame. Where the curves lie on a cone, "
-                    "a cylinder or a tangent surface, that surface is found; where no developable surface exists, the "
-                    "Gaussian curvature is made as small as possible, and the report tells what remains, how little "
-                    "of it the corners allow at best, and how much the sheet has to stretch. Making the mean small can "
-                    "raise the maximum at an edge: take the method minimax then.",
+             .doc =
+                 "The surface over four polynomial curves that is as developable as a smooth patch over them can be: "
+                 "what sheet metal or plywood does when it is fixed along a frame. Where the curves lie on a cone, "
+                 "a cylinder or a tangent surface, that surface is found; where no developable surface exists, the "
+                 "Gaussian curvature is made as small as possible, and the report tells what remains, how little "
+                 "of it the corners allow at best, and how much the sheet has to stretch. Making the mean small can "
+                 "raise the maximum at an edge: take the method minimax then.",
              .equation = "int int |K|^p du dv -> min, K = (LN - M^2)/(EG - F^2)",
              .source = "Li & Deng, Construction and application of approximate developable surfaces, sec. 2-4",
              .keys = keys,
              .params_size = sizeof(developable_keys)},
+    .sides = sides_of,
     .prepare = prepare,
     .eval = lam_held_nurbs_eval,
     .domain = lam_held_nurbs_domain,

@@ -8,18 +8,6 @@
 #include "core/arena.h"
 #include "core/model.h"
 
-/* Four curves that meet at the corners: r1 (v = 0) and r3 (v = 1) along u, r2 (u = 0) and r4 (u = 1) along v. Opposite
- * curves share degree and knots (clamped). */
-typedef struct lam_four_sides {
-  int degree[2], count[2];
-  const double *knots[2];   /* count + degree + 1 each */
-  const lam_vec3 *curve[4]; /* r1, r2, r3, r4: count[0], count[1], count[0], count[1] control points */
-} lam_four_sides;
-
-/* The Coons surface of a boundary, exactly: linear functions are splines whose coefficients are the knot averages.
- * Knots are kept by pointer, points owned by the arena. */
-lam_spline_surface lam_coons_surface(lam_arena *arena, const lam_four_sides *boundary);
-
 typedef enum lam_developable_method {
   LAM_DEVELOPABLE_NEWTON,       /* Levenberg-Marquardt, then Newton's method on the p-th power of the norm */
   LAM_DEVELOPABLE_TRUST_REGION, /* Li & Deng, algorithm 1 */
@@ -42,9 +30,9 @@ typedef struct lam_developable_result {
   double norm;                 /* ||K||_p by the rule that was minimized with; MINIMAX: the largest |K| of its places */
 } lam_developable_result;
 
-/* Moves the inner control points of surface (weights NULL, knots sound) from where they are. Algorithms 1 and 2 start
- * from a unit matrix and depend on the unit of length; Newton's method does not. The boundary stays. The points are
- * replaced by an array of the arena. Not converging is a result. */
+/* Moves the inner control points of surface, for instance a Coons patch (surf/coons_patch.h; weights NULL, knots sound)
+ * from where they are. Algorithms 1 and 2 start from a unit matrix and depend on the unit of length; Newton's method
+ * does not. The boundary stays. The points are replaced by an array of the arena. Not converging is a result. */
 lam_developable_result lam_developable_solve(lam_arena *arena, lam_spline_surface *surface,
                                              lam_developable_options options);
 

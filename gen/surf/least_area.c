@@ -4,19 +4,16 @@
 #include "fab/workshop.h"
 #include "surf/kind.h"
 #include "surf/least_area_paper.h"
+#include "surf/sides_keys.h"
 #include "surf/spline_surface.h"
 #include <math.h>
 
 enum { MAX_POINTS = 200, MAX_SPANS = 64 };
 
-typedef struct curve_keys {
-  lam_list points, weights, knots;
-  int degree;
-} curve_keys;
-
 typedef struct least_area_keys {
-  int degree[2], count[2], unit, method, spans, inner_weights;
-  lam_list points, weights, knots[2], curves;
+  int degree[2], count[2], method, spans, inner_weights;
+  lam_sides_keys sides;
+  lam_list points, weights, knots[2];
   double mean_curvature, tolerance;
 } least_area_keys;
 
@@ -24,30 +21,15 @@ typedef struct least_area {
   const lam_nurbs *nurbs;
   lam_least_area_result result;
   double mean_curvature;
-  bool by_paper;
+  const lam_paper_result *paper; /* NULL: by Newton's method */
 } least_area;
 
-static const char *const inner_weights[] = {"fixed", "free", NULL};
+static const char *const inner_weights[] = {"fixed", "free", "separable", NULL};
+enum { WEIGHTS_FIXED, WEIGHTS_FREE, WEIGHTS_SEPARABLE };
 static const char *const methods[] = {"newton", "paper", NULL};
+enum { METHOD_NEWTON, METHOD_PAPER };
+static const double weight_low = 0.01, weight_high = 30;
 enum { PAPER_HALF = 3, PAPER_STEPS = 100 }; /* Bezier patches of degree 6 */
-
-static lam_vec3 *read_points(lam_arena *arena, const lam_list *list, double unit) {
-  lam_vec3 *points = LAM_NEW(arena, lam_vec3, list->count / 3);
-  const double *values = list->items;
-  for (int i = 0; i < list->count / 3; i++)
-    points[i] = lam_scale(lam_v3(values[3 * i], values[3 * i + 1], values[3 * i + 2]), unit);
-  return points;
-}
-
-static bool check_weights(const lam_list *list, const char *key, lam_place place, lam_errors *errors) {
-  for (int i = 0; i < list->count; i++)
-    if (!(((const double *)list->items)[i] > 0)) {
-      lam_error_add(errors, place, key, "weight %d is %g; expected a positive number", i + 1,
-                    ((const double *)list->items)[i]);
-      return false;
-    }
-  return true;
-}
 
 static bool clamped(int degree, int count, const double *knots) {
   return knots[0] == knots[degree] && knots[count] == knots[count + degree];
@@ -64,51 +46,17 @@ static bool check_knots(int degree, int count, const lam_list *knots, const char
 }
 
 /* ---- four curves ---- */
-static bool read_curve(lam_arena *arena, const curve_keys *keys, int index, double unit, lam_place place,
-                       lam_errors *errors, lam_boundary_curve *curve) {
-  int count = keys->points.count / 3, degree = keys->degree ? keys->degree : count > 3 ? 3 : count - 1;
-  const char *key = lam_arena_printf(arena, "curves[%d]", index);
-  if (keys->points.count % 3 || count < 2) {
-    lam_error_add(errors, place, key, "%d numbers in points; expected x, y and z of 2 points or more",
-                  keys->points.count);
-    return false;
-  }
-  if (degree >= count) {
-    lam_error_add(errors, place, key, "degree %d with %d points; expected at most %d", degree, count, count - 1);
-    return false;
-  }
-  if (keys->weights.count && keys->weights.count != count) {
-    lam_error_add(errors, place, key, "%d weights given; expected %d: one per point, or none", keys->weights.count,
-                  count);
-    return false;
-  }
-  *curve =
-      (lam_boundary_curve){degree, count, keys->knots.count ? keys->knots.items : NULL,
-                           read_points(arena, &keys->points, unit), keys->weights.count ? keys->weights.items : NULL};
-  return check_weights(&keys->weights, key, place, errors) &&
-         check_knots(degree, count, &keys->knots, key, place, errors);
-}
-
 static bool read_curves(lam_arena *arena, const least_area_keys *keys, lam_place place, lam_errors *errors,
                         lam_spline_surface *surface) {
-  lam_boundary_curve curves[4];
-  if (keys->curves.count != 4) {
-    lam_error_add(errors, place, "curves", "%d curves given; expected 4", keys->curves.count);
+  lam_sides sides;
+  if (!lam_sides_read(arena, &keys->sides, (lam_sides_limits){.degree = LAM_LEAST_AREA_MAX_DEGREE}, place, errors,
+                      &sides))
     return false;
-  }
-  for (int i = 0; i < 4; i++)
-    if (!read_curve(arena, (const curve_keys *)keys->curves.items + i, i, lam_point_unit(keys->unit), place, errors,
-                    &curves[i]))
-      return false;
-  lam_boundary_problem problem = lam_spline_surface_between(arena, curves, surface);
-  if (problem == LAM_BOUNDARY_OPEN)
-    lam_error_add(errors, place, "curves",
-                  "the ends do not meet in four corners; expected the sides v = 0, u = 0, v = 1, u = 1, in this order");
-  if (problem == LAM_BOUNDARY_WEIGHTS)
-    lam_error_add(errors, place, "curves",
-                  "the weights at the corners do not fit; expected curves whose end weights agree up to one factor per "
-                  "curve");
-  return problem == LAM_BOUNDARY_SOUND;
+  if (lam_spline_surface_between(arena, &sides, surface)) return true;
+  lam_error_add(errors, place, "curves",
+                "the weights at the corners do not fit; expected curves whose end weights agree up to one factor per "
+                "curve");
+  return false;
 }
 
 /* ---- a net of control points ---- */
@@ -126,7 +74,7 @@ static bool check_net(const least_area_keys *keys, int total, int ring, lam_plac
                   points / 3);
     return false;
   }
-  if (!check_weights(&keys->weights, "weights", place, errors)) return false;
+  if (!lam_weights_check(&keys->weights, "weights", place, errors)) return false;
   for (int d = 0; d < 2; d++) {
     if (keys->degree[d] >= keys->count[d]) {
       lam_error_add(errors, place, "degree", "degree %d; expected at most %d with %d points", keys->degree[d],
@@ -142,7 +90,7 @@ static bool read_net(lam_arena *arena, const least_area_keys *keys, lam_place pl
                      lam_spline_surface *surface) {
   int m = keys->count[0], n = keys->count[1], total = m * n, ring = 2 * (m + n) - 4, given = 0;
   if (!check_net(keys, total, ring, place, errors)) return false;
-  const lam_vec3 *from = read_points(arena, &keys->points, lam_point_unit(keys->unit));
+  const lam_vec3 *from = lam_points_read(arena, &keys->points, keys->sides.unit);
   const double *from_weights = keys->weights.items;
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, total);
   double *weights = keys->weights.count ? LAM_NEW(arena, double, total) : NULL;
@@ -174,40 +122,50 @@ static lam_least_area_result by_newton(lam_arena *arena, const least_area_keys *
   lam_least_area_options options = lam_least_area_defaults();
   options.tolerance = keys->tolerance;
   options.mean_curvature = keys->mean_curvature;
-  if (keys->inner_weights == 0) return lam_least_area_solve(arena, boundary, keys->spans, &options);
+  lam_spline_surface own = *boundary;
+  if (keys->inner_weights == WEIGHTS_SEPARABLE) own = lam_least_area_separable_weights(arena, boundary);
+  if (keys->inner_weights != WEIGHTS_FREE) return lam_least_area_solve(arena, &own, keys->spans, &options);
   lam_least_area_result result = lam_least_area_solve(arena, boundary, 1, &options);
-  result = lam_least_area_weights(arena, &result.surface, 0.01, 30, &options);
+  result = lam_least_area_weights(arena, &result.surface, weight_low, weight_high, &options);
   return keys->spans > 1 ? lam_least_area_solve(arena, &result.surface, keys->spans, &options) : result;
 }
 
-/* The third result of the paper, or with free weights the nearest surface to its first. */
-static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *keys,
-                                      const lam_spline_surface *boundary) {
+/* Of the paper's results the one with the wanted weights. */
+static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *keys, const lam_spline_surface *boundary,
+                                      lam_paper_result *paper) {
   double size = 0;
   for (int k = 0; k < boundary->count[0] * boundary->count[1]; k++)
     size = fmax(size, lam_distance(boundary->points[k], boundary->points[0]));
-  lam_paper_result paper =
-      lam_least_area_paper(arena, boundary, PAPER_HALF, PAPER_HALF, sqrt(keys->tolerance) * size, PAPER_STEPS);
-  lam_least_area_result result = paper.patches;
-  result.surface = keys->inner_weights == 0
-                       ? paper.nurbs
-                       : lam_spline_surface_fit_weights(arena, boundary, &paper.patches.surface, 0.01, 30);
+  *paper = lam_least_area_paper(arena, boundary, PAPER_HALF, PAPER_HALF, sqrt(keys->tolerance) * size, PAPER_STEPS);
+  lam_least_area_result result = paper->patches;
+  if (keys->inner_weights == WEIGHTS_FREE)
+    result.surface = lam_least_area_paper_weights(arena, boundary, &paper->patches.surface, weight_low, weight_high);
+  else
+    result.surface = keys->inner_weights == WEIGHTS_SEPARABLE ? paper->separable : paper->nurbs;
   return result;
 }
+
+static lam_sides_keys *sides_of(void *params) { return &((least_area_keys *)params)->sides; }
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const least_area_keys *keys = params;
   lam_spline_surface boundary;
-  if (!(keys->curves.count ? read_curves : read_net)(arena, keys, place, errors, &boundary)) return NULL;
-  if (keys->mean_curvature != 0 && (keys->inner_weights == 1 || keys->method == 1)) {
+  if (!(keys->sides.curves.count || keys->sides.file ? read_curves : read_net)(arena, keys, place, errors, &boundary))
+    return NULL;
+  if (keys->mean_curvature != 0 && (keys->inner_weights == WEIGHTS_FREE || keys->method == METHOD_PAPER)) {
     lam_error_add(errors, place, "mean_curvature", "%g; expected 0 with free inner weights or method: paper",
                   keys->mean_curvature);
     return NULL;
   }
   least_area *data = LAM_NEW(arena, least_area, 1);
   data->mean_curvature = keys->mean_curvature;
-  data->by_paper = keys->method == 1;
-  data->result = (keys->method == 1 ? by_paper : by_newton)(arena, keys, &boundary);
+  if (keys->method == METHOD_PAPER) {
+    lam_paper_result *paper = LAM_NEW(arena, lam_paper_result, 1);
+    data->result = by_paper(arena, keys, &boundary, paper);
+    data->paper = paper;
+  } else {
+    data->result = by_newton(arena, keys, &boundary);
+  }
   data->nurbs = lam_nurbs_make(arena, &data->result.surface);
   return data;
 }
@@ -219,6 +177,24 @@ static bool domain(const void *data, lam_chart chart, double p[2], double q[2], 
   return lam_nurbs_domain(((const least_area *)data)->nurbs, chart, p, q, closed);
 }
 static const lam_spline_surface *spline(const void *data) { return &((const least_area *)data)->result.surface; }
+
+/* The areas of the paper's results. That on approximated borders may be below the least one. */
+static void report_paper(lam_arena *arena, const lam_paper_result *paper, lam_stage *stage) {
+  const struct {
+    const char *name;
+    const lam_spline_surface *surface;
+  } results[] = {{"area_patches", &paper->patches.surface},
+                 {"area_rational", &paper->rational},
+                 {"area_separable", &paper->separable}};
+  for (size_t k = 0; k < sizeof results / sizeof *results; k++) {
+    double area = lam_surface_area(arena, results[k].surface, results[k].surface->degree[0] + 6);
+    lam_stage_measure_add(arena, stage, (lam_measure){results[k].name, "m2", area, area, area, 1});
+  }
+  lam_stage_note(
+      arena, stage,
+      "area_patches: of Bezier patches on approximated borders; area_rational and area_separable: of rational "
+      "Bezier patches and of the NURBS surface with separable weights, on the exact boundary");
+}
 
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const least_area *s = data;
@@ -233,51 +209,18 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_measure(arena, stage, "mean_curvature_max", "1/m", largest, rms, places);
   lam_stage_note(arena, stage, "%d x %d control points; area and curvature before the surface is placed",
                  shape->count[0], shape->count[1]);
-  lam_stage_note(arena, stage,
-                 s->by_paper ? "area of the patches on approximated borders: %.1e of it away"
-                             : "area by the quadrature that was minimized with: off by %.1e of it",
-                 fabs(s->result.area / area - 1));
+  if (s->paper)
+    report_paper(arena, s->paper, stage);
+  else
+    lam_stage_note(arena, stage, "area by the quadrature that was minimized with: off by %.1e of it",
+                   fabs(s->result.area / area - 1));
   if (s->result.saddles)
     lam_stage_note(arena, stage, "%d stationary surfaces of larger area were left", s->result.saddles);
 }
 
 #define AT(member) .offset = offsetof(least_area_keys, member)
-#define OF_CURVE(member) .offset = offsetof(curve_keys, member)
-static const lam_key curve_table[] = {
-    {.name = "points",
-     .type = LAM_KEY_NUMBER,
-     OF_CURVE(points),
-     .doc = "x, y, z of every control point; two for a straight side."},
-    {.name = "weights",
-     .type = LAM_KEY_NUMBER,
-     OF_CURVE(weights),
-     .initial = "[]",
-     .doc = "Positive weight of every control point; none: all 1."},
-    {.name = "knots",
-     .type = LAM_KEY_NUMBER,
-     OF_CURVE(knots),
-     .initial = "[]",
-     .doc = "Knots, number of points + degree + 1, the first and the last repeated degree + 1 times; none: evenly "
-            "spaced."},
-    {.name = "degree",
-     .type = LAM_KEY_INTEGER,
-     OF_CURVE(degree),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = LAM_LEAST_AREA_MAX_DEGREE,
-     .doc = "Polynomial degree; 0: 3, or less when there are fewer than four points."},
-    {0}};
-
 static const lam_key keys_table[] = {
-    {.name = "curves",
-     .type = LAM_KEY_MAP,
-     AT(curves),
-     .initial = "[]",
-     .keys = curve_table,
-     .size = sizeof(curve_keys),
-     .doc = "The four sides v = 0, u = 0, v = 1, u = 1, each in either direction; in place of count, points, weights "
-            "and knots."},
+    LAM_SIDES_KEYS(least_area_keys, sides, lam_side_table, "[]"),
     {.name = "degree",
      .type = LAM_KEY_INTEGER,
      AT(degree),
@@ -300,8 +243,8 @@ static const lam_key keys_table[] = {
      .initial = "[0, 0, 2,  0, 3, 1,  0, 6, 1,  0, 9, 2,"
                 " 3, 0, 4,  3, 9, 4,  6, 0, 4,  6, 9, 4,"
                 " 9, 0, 2,  9, 3, 1,  9, 6, 1,  9, 9, 2]",
-     .doc = "x, y, z of the control points, v running fastest: of the boundary alone, or of all (inner ones are not "
-            "used)."},
+     .doc = "In place of curves: x, y, z of the control points, v running fastest, of the boundary alone or of all "
+            "(inner ones are not used)."},
     {.name = "weights",
      .type = LAM_KEY_NUMBER,
      AT(weights),
@@ -313,13 +256,6 @@ static const lam_key keys_table[] = {
      .initial = "[]",
      .doc = "Knots in u, count + degree + 1, the first and the last repeated degree + 1 times; none: evenly spaced."},
     {.name = "knots_v", .type = LAM_KEY_NUMBER, AT(knots[1]), .initial = "[]", .doc = "Knots in v, likewise."},
-    {.name = "unit",
-     .type = LAM_KEY_CHOICE,
-     AT(unit),
-     .count = 1,
-     .initial = "m",
-     .choices = lam_point_units,
-     .doc = "Unit of the numbers in points."},
     {.name = "method",
      .type = LAM_KEY_CHOICE,
      AT(method),
@@ -327,7 +263,7 @@ static const lam_key keys_table[] = {
      .initial = "newton",
      .choices = methods,
      .doc = "newton: the least area that the spans allow; paper: Bezier patches of degree 6 on approximated borders, "
-            "then the nearest surface on the exact boundary, with separable weights (Wu & Wang); spans is not used."},
+            "then the nearest surface on the exact boundary (Wu & Wang); spans is not used."},
     {.name = "spans",
      .type = LAM_KEY_INTEGER,
      AT(spans),
@@ -343,8 +279,8 @@ static const lam_key keys_table[] = {
      .count = 1,
      .initial = "fixed",
      .choices = inner_weights,
-     .doc = "fixed: inner points have weight 1 before knots are added; free: their weights are sought too, between "
-            "0.01 and 30."},
+     .doc = "fixed: inner points have weight 1 before knots are added; separable: w_i0 w_0j / w_00, as of a product of "
+            "two curves; free: their weights are sought too, between 0.01 and 30."},
     {.name = "mean_curvature",
      .type = LAM_KEY_NUMBER,
      AT(mean_curvature),
@@ -377,6 +313,7 @@ const lam_surface_kind lam_surface_least_area = {
              .source = "Wu & Wang, Designing approximate minimal NURBS surfaces with boundaries interpolation, 2010",
              .keys = keys_table,
              .params_size = sizeof(least_area_keys)},
+    .sides = sides_of,
     .prepare = prepare,
     .eval = eval,
     .domain = domain,

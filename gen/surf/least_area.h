@@ -11,6 +11,7 @@
 
 #include "core/arena.h"
 #include "core/model.h"
+#include "surf/sides.h"
 #include "surf/spline_edit.h"
 
 enum { LAM_LEAST_AREA_MAX_DEGREE = 12 };
@@ -22,23 +23,9 @@ lam_spline_surface lam_spline_surface_refine(lam_arena *arena, const lam_spline_
 lam_spline_surface lam_spline_surface_pieces(lam_arena *arena, const lam_spline_surface *surface);
 
 /* ---- boundaries ---- */
-/* A spline curve. */
-typedef struct lam_boundary_curve {
-  int degree, count;
-  const double *knots; /* count + degree + 1, clamped; NULL: evenly spaced */
-  const lam_vec3 *points;
-  const double *weights; /* positive; NULL: all 1 */
-} lam_boundary_curve;
-
-typedef enum lam_boundary_problem {
-  LAM_BOUNDARY_SOUND,
-  LAM_BOUNDARY_OPEN,   /* the curves do not meet in four corners */
-  LAM_BOUNDARY_WEIGHTS /* the weights at the corners cannot be made equal by a factor for every curve */
-} lam_boundary_problem;
-/* The surface whose sides are the curves: [0] v = 0, [1] u = 0, [2] v = 1, [3] u = 1, each in either direction. They
- * get common degrees, 3 at least, and common knots. Inner points are at the origin, with weight 1. */
-lam_boundary_problem lam_spline_surface_between(lam_arena *arena, const lam_boundary_curve curves[4],
-                                                lam_spline_surface *surface);
+/* The surface with these sides (lam_sides_join), of common degrees, 3 at least, and common knots. Inner points are at
+ * the origin, with weight 1. False when the weights at the corners cannot be made equal by a factor for every side. */
+bool lam_spline_surface_between(lam_arena *arena, const lam_sides *sides, lam_spline_surface *surface);
 
 /* ---- first surfaces ---- */
 /* Weight 1 for all inner points (the weights of the boundary stay). */
@@ -61,8 +48,9 @@ typedef struct lam_least_area_options {
   double tolerance;      /* stops where the area falls by less than this part of it in one step */
   double enough;         /* stops at or below this area; 0: not */
   int most;              /* steps */
+  bool accept_saddles;   /* does not look whether a stationary surface is a minimum; Newton alone looks */
 } lam_least_area_options;
-/* Newton, no mean curvature, tolerance 1e-11, at most 100 steps. */
+/* Newton, no mean curvature, tolerance 1e-9, at most 100 steps; saddles are left. */
 lam_least_area_options lam_least_area_defaults(void);
 
 typedef struct lam_least_area_result {

@@ -26,7 +26,8 @@
   row(asymptotic_quad) \
   row(developable) \
   row(coons) \
-  row(interpolation)
+  row(interpolation) \
+  row(approximation)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_surface_kind lam_surface_##name;

@@ -4,6 +4,7 @@
 
 #include "core/arena.h"
 #include "curve/basis.h"
+#include "surf/coons_patch.h"
 #include "surf/developable.h"
 #include <jansson.h>
 #include <setjmp.h>
@@ -65,23 +66,24 @@ static inline const lam_vec3 *dev_curve(lam_arena *arena, const json_t *points, 
   return x;
 }
 
-static inline lam_four_sides dev_boundary(lam_arena *arena, const json_t *c) {
-  static const char *const names[4] = {"r1", "r2", "r3", "r4"};
-  lam_four_sides b = {0};
-  for (int i = 0; i < 4; i++) b.curve[i] = dev_curve(arena, json_object_get(c, names[i]), &b.count[i % 2]);
-  for (int d = 0; d < 2; d++) {
-    double *knots = LAM_NEW(arena, double, 2 * b.count[d]);
-    b.degree[d] = b.count[d] - 1;
-    lam_knots_clamped(b.degree[d], b.count[d], knots);
-    b.knots[d] = knots;
+/* The Coons patch over the boundary of a case. */
+static inline lam_spline_surface dev_coons(lam_arena *arena, const json_t *c) {
+  static const char *const names[LAM_SIDES] = {"r1", "r2", "r3", "r4"};
+  lam_sides sides = {0};
+  for (int i = 0; i < LAM_SIDES; i++) {
+    lam_spline_curve *side = &sides.side[i];
+    side->points = dev_curve(arena, json_object_get(c, names[i]), &side->count);
+    side->degree = side->count - 1;
+    double *knots = LAM_NEW(arena, double, 2 * side->count);
+    lam_knots_clamped(side->degree, side->count, knots);
+    side->knots = knots;
   }
-  return b;
+  return lam_coons_surface(arena, &sides, LAM_COONS_BILINEAR);
 }
 
 /* The surface of least ||K||_2 over the boundary of a case. */
 static inline lam_spline_surface dev_solved(lam_arena *arena, const json_t *c) {
-  lam_four_sides b = dev_boundary(arena, c);
-  lam_spline_surface s = lam_coons_surface(arena, &b);
+  lam_spline_surface s = dev_coons(arena, c);
   lam_developable_result r = lam_developable_solve(arena, &s, (lam_developable_options){.power = 2});
   if (!r.converged) fail_msg("%s: %s", dev_name(c), r.reason);
   return s;

@@ -21,8 +21,8 @@ static const lam_measure *measure_of(lam_fixture *f, const lam_surface *s, const
 static void test_coons_by_hand(void **state) {
   lam_fixture *f = *state;
   lam_surface s = made(f, "coons",
-                       "{v0: [0,0,0, 1.5,0,0, 3,0,1], v1: [0,2,0, 3,2,0], u0: [0,0,0, 0,2,0],"
-                       " u1: [3,0,1, 3,2,0]}");
+                       "{curves: [{points: [0,0,0, 1.5,0,0, 3,0,1]}, {points: [0,0,0, 0,2,0]},"
+                       " {points: [0,2,0, 3,2,0]}, {points: [3,0,1, 3,2,0]}]}");
   const double unit[] = {0, 1};
   for (int i = 0; i < POINTS; i++) {
     double u = next_in(f, unit), v = next_in(f, unit);
@@ -40,8 +40,9 @@ static void test_sides_are_met(void **state) {
   static const char *const designs[] = {
       "",
       "{blend: hermite}",
-      "{degree: [2, 1], v0: [0,0,0, 1,0,1, 2,0,0, 3,0,0], knots_v0: [0,0,0,0.3,1,1,1], v1: [0,2,0, 1,2,1, 3,2,0],"
-      " u0: [0,0,0, 0,1,1, 0,2,0], knots_u0: [0,0,1,5,5], u1: [3,0,0, 3,2,0], unit: cm, blend: hermite}",
+      "{curves: [{points: [0,0,0, 1,0,1, 2,0,0, 3,0,0], degree: 2, knots: [0,0,0,0.3,1,1,1]},"
+      " {points: [0,0,0, 0,1,1, 0,2,0], degree: 1, knots: [0,0,1,5,5]}, {points: [3,2,0, 1,2,1, 0,2,0]},"
+      " {points: [3,0,0, 3,2,0]}], unit: cm, blend: hermite}",
   };
   for (size_t i = 0; i < sizeof designs / sizeof designs[0]; i++) {
     lam_surface s = made(f, "coons", designs[i]);
@@ -55,16 +56,18 @@ static void test_sides_are_met(void **state) {
  * to 2, both leave and arrive with slopes (0, 1, 0.5) of equal size. */
 static void test_hermite_patches_continue(void **state) {
   lam_fixture *f = *state;
-  lam_surface a = made(f, "coons",
-                       "{blend: hermite, v0: [0,0,0, 1,0,0.4, 2,0,0], v1: [0,1,0, 1,1,0.4, 2,1,0],"
-                       " u0: [0,0,0, 0,0.3333333333333333,0, 0,0.6666666666666666,-0.16666666666666666, 0,1,0],"
-                       " u1: [2,0,0, 2,0.3333333333333333,0, 2,0.6666666666666666,-0.16666666666666666, 2,1,0],"
-                       " across_v1: [0,1,0.5, 0,1,0.5, 0,1,0.5]}");
+  lam_surface a =
+      made(f, "coons",
+           "{blend: hermite, curves: [{points: [0,0,0, 1,0,0.4, 2,0,0]},"
+           " {points: [0,0,0, 0,0.3333333333333333,0, 0,0.6666666666666666,-0.16666666666666666, 0,1,0]},"
+           " {points: [0,1,0, 1,1,0.4, 2,1,0], across: [0,1,0.5, 0,1,0.5, 0,1,0.5]},"
+           " {points: [2,0,0, 2,0.3333333333333333,0, 2,0.6666666666666666,-0.16666666666666666, 2,1,0]}]}");
   lam_surface b = made(f, "coons",
-                       "{blend: hermite, v0: [0,1,0, 1,1,0.4, 2,1,0], v1: [0,2,0, 1,2,0.4, 2,2,0],"
-                       " u0: [0,1,0, 0,1.3333333333333333,0.16666666666666666, 0,1.6666666666666667,0, 0,2,0],"
-                       " u1: [2,1,0, 2,1.3333333333333333,0.16666666666666666, 2,1.6666666666666667,0, 2,2,0],"
-                       " across_v0: [0,1,0.5, 0,1,0.5, 0,1,0.5]}");
+                       "{blend: hermite, curves: ["
+                       " {points: [0,1,0, 1,1,0.4, 2,1,0], across: [0,1,0.5, 0,1,0.5, 0,1,0.5]},"
+                       " {points: [0,1,0, 0,1.3333333333333333,0.16666666666666666, 0,1.6666666666666667,0, 0,2,0]},"
+                       " {points: [0,2,0, 1,2,0.4, 2,2,0]},"
+                       " {points: [2,1,0, 2,1.3333333333333333,0.16666666666666666, 2,1.6666666666666667,0, 2,2,0]}]}");
   assert_true(measure_of(f, &a, "twist_gap")->max < 1e-14);
   assert_true(measure_of(f, &a, "slope_gap")->max < 1e-14);
   for (int i = 0; i <= 10; i++) {
@@ -93,17 +96,33 @@ static void test_interpolation_meets_points(void **state) {
   assert_near3(at(&s, 1, 1), lam_v3(0.001, 0.002, 0.002), 1e-15, "interpolation", "corner", 1, 1);
 }
 
+/* Three sides of a rectangle; nothing; a curve of degree 12. */
+#define REST "{points: [0,0,0, 0,2,0]}, {points: [0,2,0, 3,2,0]}, {points: [3,0,0, 3,2,0]}"
+#define POINT "{points: [0,0,0, 0,0,0]}"
+#define TWELVE(y, first)                                                                                               \
+  "{degree: 12, points: [0," y ",0, 0.5," y ",0, 1," y ",0, 1.5," y ",0, 2," y ",0, 2.5," y ",0, 3," y ",0, 3.5," y    \
+  ",0, 4," y ",0, 4.5," y ",0, 5," y ",0, 5.5," y ",0, 6," y ",0], weights: [" first ",1,1,3,1,1,1,1,1,1,1,1]}"
+
 /* Wrong input is refused at the key that is wrong, with what was given. */
 static void test_refusals(void **state) {
   lam_fixture *f = *state;
   static const char *const cases[][4] = {
-      {"coons", "{v0: [0,0,0, 1,0]}", "v0", "5 numbers given"},
-      {"coons", "{v1: [0,6,1.5, 6,6,1]}", "u0", "from the start of v1"},
-      {"coons", "{degree: [5, 0]}", "degree", "with the 4 points of v0"},
-      {"coons", "{degree: [2, 0], knots_v0: [0,0,0,1,1,1]}", "knots_v0", "as many as"},
-      {"coons", "{across_v0: [0,1,0, 0,1,0, 0,1,0, 0,1,0]}", "across_v0", "expected blend: hermite"},
-      {"coons", "{blend: hermite, across_v0: [0,1,0, 0,1,0]}", "across_v0", "expected 12"},
-      {"coons", "{v0: [0,0,0, 0,0,0], v1: [0,0,0, 0,0,0], u0: [0,0,0, 0,0,0], u1: [0,0,0, 0,0,0]}", "v0", "one"},
+      {"coons", "{curves: [{points: [0,0,0, 1,0]}, " REST "]}", "curves[0].points", "5 numbers given"},
+      {"coons", "{curves: [" REST "]}", "curves", "3 curves given; expected 4"},
+      {"coons", "{curves: [{points: [0,0,0, 3,0,0.5]}, " REST "]}", "curves[3]",
+       "its start lies 0.5 m from the end of curves[0]"},
+      {"coons", "{curves: [{points: [0,0,0, 3,0,0], degree: 5}, " REST "]}", "curves[0].degree", "at most 1"},
+      {"coons", "{curves: [{points: [0,0,0, 3,0,0], knots: [0,0,1]}, " REST "]}", "curves[0].knots", "as many as"},
+      {"coons", "{curves: [{points: [0,0,0, 3,0,0], weights: [1]}, " REST "]}", "curves[0].weights", "expected 2"},
+      {"coons", "{curves: [{points: [0,0,0, 3,0,0], weights: [1, 0]}, " REST "]}", "curves[0].weights", "positive"},
+      {"coons", "{curves: [{points: [0,0,0, 3,0,0], across: [0,1,0, 0,1,0]}, " REST "]}", "curves[0].across",
+       "expected blend: hermite"},
+      {"coons", "{blend: hermite, curves: [{points: [0,0,0, 3,0,0], across: [0,1,0]}, " REST "]}", "curves[0].across",
+       "expected 6"},
+      {"coons", "{curves: [" POINT ", " POINT ", " POINT ", " POINT "]}", "curves", "all points are one"},
+      {"coons",
+       "{curves: [" TWELVE("0", "1,2") ", {points: [0,0,0, 0,1,0]}, " TWELVE("1", "1,1") ", {points: [6,0,0, 6,1,0]}]}",
+       "curves", "degree 25 in u; expected at most 24"},
       {"interpolation", "{count: [3, 3]}", "points", "48 numbers given; expected 27"},
       {"interpolation", "{degree: [4, 3]}", "degree", "expected 3"},
       {"interpolation", "{ends: average, degree: [4, 3]}", "degree", "at most 3"},

@@ -96,8 +96,7 @@ static void coons_surfaces_are_those_of_the_formula(void **state) {
   size_t i;
   json_t *c;
   json_array_foreach(f->cases, i, c) {
-    lam_four_sides b = dev_boundary(f->arena, c);
-    lam_spline_surface s = lam_coons_surface(f->arena, &b);
+    lam_spline_surface s = dev_coons(f->arena, c);
     lam_developable_measures m = lam_developable_measure(f->arena, &s, 40, 200);
     dev_close(dev_name(c), "||K|| of the Coons surface", m.l2, dev_number(c, "coons_l2"), 1e-7);
     dev_close(dev_name(c), "max|K| of the Coons surface", m.max, dev_number(c, "coons_max"), 1e-6);
@@ -122,8 +121,7 @@ static void minima_are_reached(void **state) {
 /* On D5 every descent from the symmetric Coons surface stops at .0509208, where two eigenvalues are negative. */
 static void saddle_points_are_left(void **state) {
   dev_fixture *f = *state;
-  lam_four_sides b = dev_boundary(f->arena, dev_case(f, "D5"));
-  lam_spline_surface s = lam_coons_surface(f->arena, &b);
+  lam_spline_surface s = dev_coons(f->arena, dev_case(f, "D5"));
   lam_developable_result r = lam_developable_solve(f->arena, &s, (lam_developable_options){.power = 2});
   assert_true(r.escapes > 0);
   assert_true(r.norm < 0.0508);
@@ -148,8 +146,7 @@ static void algorithms_of_the_paper_agree(void **state) {
   size_t i;
   json_t *c;
   json_array_foreach(f->cases, i, c) for (int method = 1; method <= 2; method++) {
-    lam_four_sides b = dev_boundary(f->arena, c);
-    lam_spline_surface s = lam_coons_surface(f->arena, &b);
+    lam_spline_surface s = dev_coons(f->arena, c);
     lam_developable_result r = lam_developable_solve(
         f->arena, &s, (lam_developable_options){.method = (lam_developable_method)method, .power = 2, .points = 16});
     double least = dev_number(c, "least_l2"), expected = dev_name(c)[1] == '5' ? 0.0509207988 : least;
@@ -166,8 +163,7 @@ static void algorithms_of_the_paper_agree(void **state) {
 static void the_result_does_not_depend_on_the_unit(void **state) {
   dev_fixture *f = *state;
   json_t *c = dev_case(f, "D3");
-  lam_four_sides b = dev_boundary(f->arena, c);
-  lam_spline_surface s = lam_coons_surface(f->arena, &b), large = s;
+  lam_spline_surface s = dev_coons(f->arena, c), large = s;
   lam_vec3 *x = LAM_NEW(f->arena, lam_vec3, 16);
   for (int k = 0; k < 16; k++) x[k] = lam_scale(s.points[k], 1000);
   large.points = x;

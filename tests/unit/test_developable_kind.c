@@ -7,11 +7,14 @@ static const double anywhere[2] = {0, 1};
 static void degrees_are_raised(void **state) {
   lam_fixture *f = *state;
   lam_surface low = made(f, "developable",
-                         "v0: [0, 0, 0, 3, 0, 0]\nv1: [0, 3, 0, 1, 3.3, 0.9, 2, 3, 0.9, 3, 3, 0]\n"
-                         "u0: [0, 0, 0, 0, 3, 0]\nu1: [3, 0, 0, 3.3, 1.5, 0.6, 3, 3, 0]");
-  lam_surface high = made(f, "developable",
-                          "v0: [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0]\nv1: [0, 3, 0, 1, 3.3, 0.9, 2, 3, 0.9, 3, 3, 0]\n"
-                          "u0: [0, 0, 0, 0, 1.5, 0, 0, 3, 0]\nu1: [3, 0, 0, 3.3, 1.5, 0.6, 3, 3, 0]");
+                         "curves: [{points: [0, 0, 0, 3, 0, 0]}, {points: [0, 0, 0, 0, 3, 0]},"
+                         "{points: [0, 3, 0, 1, 3.3, 0.9, 2, 3, 0.9, 3, 3, 0]},"
+                         "{points: [3, 0, 0, 3.3, 1.5, 0.6, 3, 3, 0]}]");
+  lam_surface high =
+      made(f, "developable",
+           "curves: [{points: [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0]}, {points: [0, 0, 0, 0, 1.5, 0, 0, 3, 0]},"
+           "{points: [0, 3, 0, 1, 3.3, 0.9, 2, 3, 0.9, 3, 3, 0]},"
+           "{points: [3, 0, 0, 3.3, 1.5, 0.6, 3, 3, 0]}]");
   for (int i = 0; i < POINTS; i++) {
     lam_jet a, b;
     double u = next_in(f, anywhere), v = next_in(f, anywhere);
@@ -26,9 +29,11 @@ static void degrees_are_raised(void **state) {
 static void splines_have_no_more_curvature_than_their_single_patch(void **state) {
   lam_fixture *f = *state;
   lam_surface s = made(f, "developable",
-                       "degree: [3, 0]\nknots_u: [0, 0, 0, 0, 0.5, 1, 1, 1, 1]\n"
-                       "v0: [0, 0, 0, 0.5, -0.1, 0.275, 1.5, -0.05, 0.65, 2.5, 0.05, 0.525, 3, 0, 0.3]\n"
-                       "v1: [0, 3, 0.25, 0.5, 3.075, 0.6, 1.5, 3.025, 0.875, 2.5, 2.95, 0.425, 3, 3, 0.05]");
+                       "curves:\n"
+                       "- points: [0, 0, 0, 0.5, -0.1, 0.275, 1.5, -0.05, 0.65, 2.5, 0.05, 0.525, 3, 0, 0.3]\n"
+                       "- points: [0, 0, 0, -0.15, 1, 0.2, 0.1, 2, 0.1, 0, 3, 0.25]\n"
+                       "- points: [0, 3, 0.25, 0.5, 3.075, 0.6, 1.5, 3.025, 0.875, 2.5, 2.95, 0.425, 3, 3, 0.05]\n"
+                       "- points: [3, 0, 0.3, 3.1, 1, -0.05, 3.2, 2, 0.05, 3, 3, 0.05]");
   lam_stage stage = {0};
   s.kind->report(f->arena, s.data, &stage);
   assert_true(stage.converged);
@@ -62,14 +67,18 @@ static void refused(lam_fixture *f, const char *text, const char *key, const cha
 
 static void wrong_boundaries_are_refused(void **state) {
   lam_fixture *f = *state;
-  refused(f, "v0: [0, 0, 0, 1, 2]", "v0", "5 numbers given");
-  refused(f, "v0: [0, 0, 0.1,  1, -0.2, 0.55,  2, 0.1, 0.75,  3, 0, 0.3]", "u0", "from the start of v0");
-  refused(f, "degree: [3, 0]\nv0: [0, 0, 0,  1, -0.2, 0.55,  3, 0, 0.3]", "v1", "expected 3, as many as v0 has");
-  refused(f, "degree: [4, 0]", "degree", "degree 4 given");
-  refused(f, "knots_u: [0, 0, 0, 0, 1, 1, 1, 1]", "knots_u", "without a degree");
-  refused(f, "degree: [3, 0]\nknots_u: [0, 0, 0, 0.1, 1, 1, 1, 1]", "knots_u", "equal ones");
-  refused(f, "v0: [0, 0, 0, 3, 0, 0]\nv1: [0, 0, 0, 3, 0, 0]\nu0: [0, 0, 0, 0, 0, 0]\nu1: [3, 0, 0, 3, 0, 0]", "v0",
-          "without a tangent plane");
+  /* the second of three sides of a square that are given in full, before the one that is wrong */
+#define SQUARE "{points: [0, 0, 0, 0, 3, 0]}, {points: [0, 3, 0, 3, 3, 0]}, {points: [3, 0, 0, 3, 3, 0]}"
+  refused(f, "curves: [{points: [0, 0, 0, 1, 2]}, " SQUARE "]", "curves[0].points", "5 numbers given");
+  refused(f, "curves: [{points: [0, 0, 0, 3, 0, 0], degree: 2}, " SQUARE "]", "curves[0].degree", "at most 1");
+  refused(f, "curves: [{points: [0, 0, 0, 1, 0, 1, 3, 0, 0], weights: [1, 2, 1]}, " SQUARE "]", "curves[0].weights",
+          "expected none");
+  refused(f, "curves: [" SQUARE "]", "curves", "3 curves given");
+  refused(f,
+          "curves: [{points: [0, 0, 0, 3, 0, 0]}, {points: [0, 0, 0, 0, 0, 0]}, {points: [0, 0, 0, 3, 0, 0]}, {points: "
+          "[3, 0, 0, 3, 0, 0]}]",
+          "curves", "without a tangent plane");
+#undef SQUARE
 }
 
 #define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)

@@ -30,8 +30,7 @@ static lam_spline_surface minimax_from(lam_arena *arena, lam_spline_surface s) {
 }
 
 static lam_spline_surface minimax(lam_arena *arena, const json_t *c) {
-  lam_four_sides b = dev_boundary(arena, c);
-  return minimax_from(arena, lam_coons_surface(arena, &b));
+  return minimax_from(arena, dev_coons(arena, c));
 }
 
 /* At 801 x 801 places, by the fundamental forms: nothing between the places that were minimized over may stick out. */
@@ -54,8 +53,7 @@ static void another_start_leads_to_the_same_maximum(void **state) {
   dev_fixture *f = *state;
   uint64_t seed = 3;
   json_t *c = dev_case(f, "D4");
-  lam_four_sides b = dev_boundary(f->arena, c);
-  lam_spline_surface coons = lam_coons_surface(f->arena, &b), other = coons;
+  lam_spline_surface coons = dev_coons(f->arena, c), other = coons;
   lam_vec3 *x = LAM_NEW(f->arena, lam_vec3, 16);
   for (int i = 0; i < 16; i++) {
     lam_vec3 by = lam_v3(random_in(&seed), random_in(&seed), random_in(&seed));
@@ -75,8 +73,7 @@ static void every_power_has_its_own_minimum(void **state) {
   dev_fixture *f = *state;
   json_t *c = dev_case(f, "D4");
   lam_spline_surface s[3] = {dev_solved(f->arena, c), minimax(f->arena, c), {0}};
-  lam_four_sides b = dev_boundary(f->arena, c);
-  s[2] = lam_coons_surface(f->arena, &b);
+  s[2] = dev_coons(f->arena, c);
   lam_developable_solve(f->arena, &s[2], (lam_developable_options){.power = 16});
   double norm[3];
   for (int k = 0; k < 3; k++) {
