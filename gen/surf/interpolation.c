@@ -19,7 +19,8 @@ typedef struct interpolation_data {
   int count[2];
 } interpolation_data;
 
-static const char *const end_names[] = {"average", "not-a-knot", "natural", NULL}; /* in the order of lam_ends */
+enum { LOCAL = 3 };
+static const char *const end_names[] = {"average", "not-a-knot", "natural", "local", NULL}; /* lam_ends, but LOCAL */
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const interpolation_keys *keys = params;
@@ -53,8 +54,9 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
                     "differ",
                     directions[d]);
   if (errors->count > before) return NULL;
-  lam_spline_surface surface =
-      lam_surface_through(arena, (lam_ends)keys->ends, keys->degree, keys->count, data->t, points);
+  lam_spline_surface surface = keys->ends == LOCAL ? lam_surface_through_local(arena, keys->count, data->t, points)
+                                                   : lam_surface_through(arena, (lam_ends)keys->ends, keys->degree,
+                                                                         keys->count, data->t, points);
   data->nurbs = lam_nurbs_make(arena, &surface);
   return data;
 }
@@ -112,7 +114,8 @@ static const lam_key keys[] = {
      .initial = "not-a-knot",
      .choices = end_names,
      .doc = "not-a-knot: cubic, the outer two pieces are one; natural: cubic, not bent at the sides; average: any "
-            "degree, knots are averages of parameters."},
+            "degree, knots are averages of parameters; local: cubic with continuous tangent planes only, but a point "
+            "moves no more than the four rows around it."},
     {.name = "degree",
      .type = LAM_KEY_INTEGER,
      AT(degree),
