@@ -7,7 +7,7 @@
 #include "core/key.h"
 #include "core/model.h"
 #include "core/text.h"
-#include "formats/spline.h"
+#include "formats/curves.h"
 
 typedef struct lam_format {
   const char *name;   /* as in --only */
@@ -30,6 +30,9 @@ typedef struct lam_format {
   /* Reads the spline surfaces, in meters; at least one when it succeeds. NULL: not read. */
   bool (*read_surfaces)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                         lam_spline_list *surfaces);
+  /* Reads the curves, in meters, those that bound surfaces included; at least one when it succeeds. NULL: not read. */
+  bool (*read_curves)(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                      lam_curve_list *curves);
 } lam_format;
 
 extern const lam_format *const lam_formats[];

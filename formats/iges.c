@@ -1,6 +1,6 @@
 /* IGES 5.3 in millimeters: every spline surface of the model as a rational B-spline surface (entity 128), and its four
- * sides as rational B-spline curves (entity 126). Fixed columns: 72 of data, a letter for the section, 7 for the
- * number. */
+ * sides and the curves of the model as rational B-spline curves (entity 126). Fixed columns: 72 of data, a letter for
+ * the section, 7 for the number. */
 #include "formats/iges.h"
 
 #include <stdio.h>
@@ -49,9 +49,9 @@ static void put_real(iges *g, double value, bool last) {
 }
 
 /* Two directory lines of an entity whose parameters begin at the given line. */
-static void put_directory(iges *g, int type, int first, const char *label) {
+static void put_directory(iges *g, int type, int first, int level, const char *label) {
   char data[2 * data_width]; /* wide enough for any numbers */
-  snprintf(data, sizeof data, "%8d%8d%8d%8d%8d%8d%8d%8d%08d", type, first, 0, 1, 0, 0, 0, 0, 0);
+  snprintf(data, sizeof data, "%8d%8d%8d%8d%8d%8d%8d%8d%08d", type, first, 0, 1, level, 0, 0, 0, 0);
   put_line(&g->directory, data, data_width, 'D', ++g->directory_lines);
   snprintf(data, sizeof data, "%8d%8d%8d%8d%8d%8s%8s%8.8s%8d", type, 0, 0, g->parameter_lines - first + 1, 0, "", "",
            label, 0);
@@ -63,9 +63,9 @@ static void begin_entity(iges *g, int type) {
   put_integer(g, type);
 }
 
-static void end_entity(iges *g, int type, int first, const char *label) {
+static void end_entity(iges *g, int type, int first, int level, const char *label) {
   flush_parameters(g);
-  put_directory(g, type, first, label);
+  put_directory(g, type, first, level, label);
 }
 
 static void put_point(iges *g, lam_vec3 p) {
@@ -100,29 +100,35 @@ static void put_surface(iges *g, const lam_spline_surface *s) {
     put_real(g, s->knots[d][s->degree[d]], false);
     put_real(g, s->knots[d][s->count[d]], d == 1);
   }
-  end_entity(g, 128, first, "SURFACE");
+  end_entity(g, 128, first, 0, "SURFACE");
+}
+
+static void put_curve(iges *g, const lam_spline_side *c, int level, const char *label) {
+  int line = g->parameter_lines + 1, last = c->first + (c->count - 1) * c->stride;
+  begin_entity(g, 126);
+  put_integer(g, c->count - 1);
+  put_integer(g, c->degree);
+  put_integer(g, 0); /* not known to be planar */
+  put_integer(g, lam_spline_meet(c->points[c->first], c->points[last]));
+  put_integer(g, c->weights == NULL);
+  put_integer(g, 0);
+  for (int i = 0; i < c->count + c->degree + 1; i++) put_real(g, c->knots[i], false);
+  for (int i = 0; i < c->count; i++) put_real(g, c->weights ? c->weights[c->first + i * c->stride] : 1, false);
+  for (int i = 0; i < c->count; i++) put_point(g, c->points[c->first + i * c->stride]);
+  put_real(g, c->knots[c->degree], false);
+  put_real(g, c->knots[c->count], false);
+  for (int i = 0; i < 3; i++) put_real(g, 0, i == 2); /* the normal of a planar curve */
+  end_entity(g, 126, line, level, label);
 }
 
 /* A side as a curve. One that is only a point, or lies on the opposite one, is left out. */
 static void put_side(iges *g, const lam_spline_surface *s, int k) {
   lam_spline_side c = lam_spline_side_of(s, k);
-  if (lam_spline_side_is_point(&c) || (k >= 2 && closes_up(s, k == 2))) return;
-  int line = g->parameter_lines + 1, last = c.first + (c.count - 1) * c.stride;
-  begin_entity(g, 126);
-  put_integer(g, c.count - 1);
-  put_integer(g, c.degree);
-  put_integer(g, 0); /* not known to be planar */
-  put_integer(g, lam_spline_meet(c.points[c.first], c.points[last]));
-  put_integer(g, c.weights == NULL);
-  put_integer(g, 0);
-  for (int i = 0; i < c.count + c.degree + 1; i++) put_real(g, c.knots[i], false);
-  for (int i = 0; i < c.count; i++) put_real(g, c.weights ? c.weights[c.first + i * c.stride] : 1, false);
-  for (int i = 0; i < c.count; i++) put_point(g, c.points[c.first + i * c.stride]);
-  put_real(g, c.knots[c.degree], false);
-  put_real(g, c.knots[c.count], false);
-  for (int i = 0; i < 3; i++) put_real(g, 0, i == 2); /* the normal of a planar curve */
-  end_entity(g, 126, line, "SIDE");
+  if (!lam_spline_side_is_point(&c) && !(k >= 2 && closes_up(s, k == 2))) put_curve(g, &c, 0, "SIDE");
 }
+
+/* Families have levels of their own: 1 and 2, curves of no family 3; surfaces and their sides are on level 0. */
+static int level_of(int family) { return family < 0 ? 3 : family + 1; }
 
 static void add_string(lam_text *out, const char *string) {
   lam_text_printf(out, "%dH%s,", (int)strlen(string), string);
@@ -148,7 +154,7 @@ static int put_global(iges *g, const lam_model *model) {
   return lines;
 }
 
-static int count(const lam_model *model) { return model->surface_count > 0; }
+static int count(const lam_model *model) { return model->surface_count > 0 || model->curve_count > 0; }
 
 static void path(const lam_model *model, int i, lam_text *out) {
   (void)i;
@@ -159,12 +165,16 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   (void)i;
   iges g = {.out = out};
   g.directory.arena = g.parameters.arena = g.line.arena = out->arena;
-  put_line(out, "smooth surfaces of a design, in millimeters", data_width, 'S', 1);
+  put_line(out, "smooth surfaces and curves of a design, in millimeters", data_width, 'S', 1);
   int global_lines = put_global(&g, model);
   for (int s = 0; s < model->surface_count; s++) {
     lam_spline_surface clamped = lam_spline_clamped(out->arena, &model->surfaces[s]);
     put_surface(&g, &clamped);
     for (int k = 0; k < 4; k++) put_side(&g, &clamped, k);
+  }
+  for (int c = 0; c < model->curve_count; c++) {
+    lam_spline_side side = lam_spline_side_of_curve(&model->curves[c].spline);
+    put_curve(&g, &side, level_of(model->curves[c].family), model->curves[c].name);
   }
   lam_text_bytes(out, g.directory.data, g.directory.length);
   lam_text_bytes(out, g.parameters.data, g.parameters.length);
@@ -176,10 +186,12 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
 
 const lam_format lam_format_iges = {
     .name = "iges",
-    .doc = "The smooth surfaces and their sides for CAD programs (IGES 5.3, entities 128 and 126), in millimeters.",
+    .doc = "The smooth surfaces and their sides, and the axes of lamellas or the lines of the net as curves, for CAD "
+           "programs (IGES 5.3, entities 128 and 126), in millimeters.",
     .ending = "igs iges",
     .count = count,
     .path = path,
     .write = write,
     .read_surfaces = lam_iges_read,
+    .read_curves = lam_iges_read_curves,
 };

@@ -5,8 +5,13 @@
 #include "formats/format.h"
 
 /* The rational B-spline surfaces (entity 128) of an IGES file in the order of its directory, in meters, moved by their
- * transformation matrices (entity 124), without trimming. At least one, or an error. */
+ * transformation matrices (entity 124), without trimming (their notes say where that matters). At least one, or an
+ * error. */
 bool lam_iges_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                    lam_spline_list *surfaces);
+/* The curves of an IGES file in the same way: rational B-splines (126), lines (110) and arcs (100), but not those in
+ * the parameters of surfaces; named by their labels. At least one, or an error. */
+bool lam_iges_read_curves(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                          lam_curve_list *curves);
 
 #endif

@@ -1,291 +1,66 @@
-/* B-spline surfaces out of an IGES 5.3 file: fixed lines of 80 columns, with the letter of the section in column 73.
- * Directory entries are two lines of ten fields of eight columns; parameters are a list with a delimiter of its own. */
+/* What is read of an IGES 5.3 file: all rational B-spline surfaces, or all curves. */
 #include "formats/iges.h"
-#include "formats/scan.h"
+#include "formats/iges_entities.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-enum { section_column = 72, parameter_columns = 64, field = 8, deepest_matrix = 8, largest_degree = 1000 };
+enum { surface_type = 128, bounded = 143, trimmed_surface = 144, instance = 408, label_field = 7 };
 
-typedef struct line {
-  const char *text; /* at least section_column + 1 bytes */
-  int number;       /* in the file */
-} line;
-
-typedef struct section {
-  int count, capacity;
-  line *lines;
-} section;
-
-/* A parameter list that is being read: the columns of its lines, one after another. */
-typedef struct parameters {
-  char *at; /* zero-terminated */
-  bool ended;
-} parameters;
-
-typedef struct reader {
-  lam_arena *arena;
-  lam_scan scan;
-  section global, directory, parameter;
-  char delimiter, terminator;
-  double unit;        /* in meters */
-  int entity;         /* type of the entity being read, for messages, */
-  int directory_line; /* and its first line in the directory, from 0 */
-} reader;
-
-typedef struct matrix {
-  double m[3][4];
-} matrix;
-
-static bool fail_at(reader *r, int number, const char *what) {
-  r->scan.place.line = number;
-  lam_error_add(r->scan.errors, r->scan.place, NULL, "%s", what);
-  return false;
-}
-
-static bool fail(reader *r, const char *what) {
-  r->scan.place.line = r->directory.lines[r->directory_line].number;
-  lam_error_add(r->scan.errors, r->scan.place, NULL, "entity %d at D%d: %s", r->entity, r->directory_line + 1, what);
-  return false;
-}
-
-/* ---- lines ---- */
-
-static void append(lam_arena *arena, section *s, line l) {
-  if (s->count == s->capacity) {
-    s->capacity = s->capacity ? 2 * s->capacity : 64;
-    line *larger = LAM_NEW(arena, line, s->capacity);
-    if (s->count) memcpy(larger, s->lines, (size_t)s->count * sizeof *larger);
-    s->lines = larger;
+/* Per directory line: whether a face on the surface there is trimmed. */
+static bool *find_trimmed(lam_iges_reader *r) {
+  bool *trimmed = LAM_NEW(r->arena, bool, r->directory.count + 1);
+  for (int at = 0, surface; at < r->directory.count; at += 2) {
+    int type = lam_iges_field(r, at, 0);
+    if ((type == trimmed_surface || type == bounded) && lam_iges_trims(r, at, &surface) && surface >= 0)
+      trimmed[surface] = true;
   }
-  s->lines[s->count++] = l;
-}
-
-static bool split(reader *r) {
-  const char *at = r->scan.at, *end = r->scan.end;
-  bool ended = false;
-  for (int number = 1; at < end && !ended; number++) {
-    const char *newline = memchr(at, '\n', (size_t)(end - at)), *stop = newline ? newline : end;
-    if (stop - at <= section_column)
-      return fail_at(r, number == 1 ? 0 : number,
-                     number == 1 ? "is not an IGES file: its lines are not of 80 columns"
-                                 : "a line of 80 columns expected");
-    line l = {at, number};
-    switch (at[section_column]) {
-    case 'S':
-      break;
-    case 'G':
-      append(r->arena, &r->global, l);
-      break;
-    case 'D':
-      append(r->arena, &r->directory, l);
-      break;
-    case 'P':
-      append(r->arena, &r->parameter, l);
-      break;
-    case 'T':
-      ended = true;
-      break;
-    default:
-      return fail_at(r, number == 1 ? 0 : number,
-                     number == 1 ? "is not an IGES file: column 73 names no section"
-                                 : "column 73 names no section; expected S, G, D, P or T");
-    }
-    at = newline ? newline + 1 : end;
-  }
-  if (!ended) return fail_at(r, 0, "is cut off: it has no terminate section");
-  return r->global.count ? true : fail_at(r, 0, "has no global section");
-}
-
-/* Field i of directory line `at`, a whole number; blank is 0. */
-static int directory_field(const reader *r, int at, int i) {
-  char digits[field + 1] = {0};
-  memcpy(digits, r->directory.lines[at].text + field * i, field);
-  long value = strtol(digits, NULL, 10);
-  return value < 0 ? 0 : (int)value;
-}
-
-static char *joined(lam_arena *arena, const section *s, int first, int count, int columns) {
-  char *text = lam_arena_alloc(arena, (size_t)count * (size_t)columns + 1, 1);
-  for (int i = 0; i < count; i++) memcpy(text + i * columns, s->lines[first + i].text, (size_t)columns);
-  return text;
-}
-
-/* ---- parameters ---- */
-
-/* The next parameter without blanks around it, up to its delimiter. A string is nH and n letters. */
-static lam_word next(const reader *r, parameters *list) {
-  while (*list->at == ' ') list->at++;
-  lam_word word = {list->at, 0};
-  char *end = list->at;
-  while (*end >= '0' && *end <= '9') end++;
-  if (*end == 'H' && end > list->at) {
-    long length = strtol(list->at, NULL, 10);
-    end++;
-    for (; length > 0 && *end; length--) end++;
-  }
-  while (*end && *end != r->delimiter && *end != r->terminator) end++;
-  word.length = (int)(end - list->at);
-  list->ended = *end != r->delimiter;
-  list->at = list->ended ? end : end + 1;
-  while (word.length && word.text[word.length - 1] == ' ') word.length--;
-  return word;
-}
-
-/* A number; D stands for E, as in Fortran. What is left out is 0. */
-static bool next_number(reader *r, parameters *list, double *number) {
-  *number = 0;
-  if (list->ended) return fail(r, "parameters are missing");
-  lam_word word = next(r, list);
-  for (int i = 0; i < word.length; i++) /* the text is ours */
-    if (word.text[i] == 'D' || word.text[i] == 'd') ((char *)word.text)[i] = 'E';
-  if (word.length == 0) return true;
-  int before = r->scan.errors->count;
-  r->scan.place.line = r->directory.lines[r->directory_line].number;
-  lam_scan_number(&r->scan, word, lam_arena_printf(r->arena, "entity %d", r->entity), number);
-  return r->scan.errors->count == before;
-}
-
-static bool next_numbers(reader *r, parameters *list, double *numbers, size_t count) {
-  for (size_t i = 0; i < count; i++)
-    if (!next_number(r, list, &numbers[i])) return false;
-  return true;
-}
-
-static bool next_integer(reader *r, parameters *list, int least, int most, int *integer) {
-  double number;
-  if (!next_number(r, list, &number)) return false;
-  if (!(number >= least && number <= most)) return fail(r, "a number of points, degree or flag is out of range");
-  *integer = (int)number;
-  return *integer == number ? true : fail(r, "a whole number expected");
-}
-
-/* The parameters of the entity whose directory entry begins at line `at`; its type is passed over. */
-static bool open_parameters(reader *r, int at, parameters *list) {
-  int first = directory_field(r, at, 1), count = directory_field(r, at + 1, 3);
-  r->entity = directory_field(r, at, 0);
-  r->directory_line = at;
-  if (first < 1 || count < 1 || first - 1 + count > r->parameter.count)
-    return fail(r, "its directory entry points outside the parameter section");
-  *list = (parameters){.at = joined(r->arena, &r->parameter, first - 1, count, parameter_columns)};
-  double type;
-  return next_number(r, list, &type) && (type == r->entity || fail(r, "its parameters belong to another entity"));
-}
-
-/* ---- global section ---- */
-
-/* The first two global parameters name the characters that part and end lists; left out, they stay. */
-static void read_delimiter(const reader *r, parameters *list, char *delimiter) {
-  if (strncmp(list->at, "1H", 2) == 0 && list->at[2]) {
-    *delimiter = list->at[2];
-    list->at += 3;
-  }
-  if (*list->at == r->delimiter) list->at++;
-}
-
-static bool read_global(reader *r) {
-  static const double units[] = {[1] = 0.0254, [2] = 1e-3,    [4] = 0.3048, [5] = 1609.344, [6] = 1,
-                                 [7] = 1e3,    [8] = 2.54e-5, [9] = 1e-6,   [10] = 1e-2,    [11] = 2.54e-8};
-  enum { scale_parameter = 13, unit_parameter };
-  parameters list = {.at = joined(r->arena, &r->global, 0, r->global.count, section_column)};
-  r->delimiter = ',', r->terminator = ';';
-  read_delimiter(r, &list, &r->delimiter);
-  read_delimiter(r, &list, &r->terminator);
-  double scale = 1, flag = 1;
-  r->scan.place.line = r->global.lines[0].number;
-  for (int i = 3; i <= unit_parameter && !list.ended; i++) {
-    lam_word word = next(r, &list);
-    if (i < scale_parameter || word.length == 0) continue;
-    if (!lam_scan_number(&r->scan, word, "scale or unit", i == unit_parameter ? &flag : &scale)) return false;
-  }
-  int count = (int)(sizeof units / sizeof *units), line_number = r->global.lines[0].number;
-  r->unit = flag >= 1 && flag < count ? units[(int)flag] : 0;
-  if (!(r->unit > 0))
-    return fail_at(r, line_number, "the unit of length is unknown; expected a flag of 1, 2 or 4 to 11");
-  return scale == 1 || fail_at(r, line_number, "the scale of the model is not 1: such files are not read");
-}
-
-/* ---- entities ---- */
-
-/* The transformation that a directory entry names, with those that it names in turn. */
-static bool read_matrix(reader *r, int at, int depth, matrix *m) {
-  int pointer = directory_field(r, at, 6);
-  *m = (matrix){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-  if (pointer == 0) return true;
-  parameters list;
-  matrix inner, outer;
-  if (pointer + 1 > r->directory.count || pointer % 2 == 0 || directory_field(r, pointer - 1, 0) != 124 ||
-      depth == deepest_matrix)
-    return fail(r, "it names a transformation that is none");
-  if (!open_parameters(r, pointer - 1, &list) || !next_numbers(r, &list, &inner.m[0][0], 12)) return false;
-  if (!read_matrix(r, pointer - 1, depth + 1, &outer)) return false;
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 4; j++) {
-      m->m[i][j] = j == 3 ? outer.m[i][3] : 0;
-      for (int k = 0; k < 3; k++) m->m[i][j] += outer.m[i][k] * inner.m[k][j];
-    }
-  return true;
-}
-
-static lam_vec3 moved(const matrix *m, const double *p) {
-  double x[3];
-  for (int i = 0; i < 3; i++) x[i] = m->m[i][0] * p[0] + m->m[i][1] * p[1] + m->m[i][2] * p[2] + m->m[i][3];
-  return lam_v3(x[0], x[1], x[2]);
-}
-
-/* K1, K2, M1, M2, five flags, knots in u and v, weights and points with u running fastest, the domain. */
-static bool read_surface(reader *r, int at, lam_spline_surface *s) {
-  parameters list;
-  matrix m;
-  if (!read_matrix(r, at, 0, &m) || !open_parameters(r, at, &list)) return false;
-  int most = (int)strlen(list.at), flag, *degree = s->degree, *count = s->count;
-  for (int d = 0; d < 2; d++)
-    if (!next_integer(r, &list, 1, most, &count[d])) return false;
-  for (int d = 0; d < 2; d++) {
-    count[d]++;
-    if (!next_integer(r, &list, 1, largest_degree, &degree[d])) return false;
-  }
-  if ((long)count[0] * count[1] > most) return fail(r, "parameters are missing"); /* one letter each at least */
-  for (int i = 0; i < 5; i++)
-    if (!next_integer(r, &list, 0, 1, &flag)) return false;
-  for (int d = 0; d < 2; d++) {
-    double *knots = LAM_NEW(r->arena, double, count[d] + degree[d] + 1);
-    if (!next_numbers(r, &list, knots, (size_t)(count[d] + degree[d] + 1))) return false;
-    s->knots[d] = knots;
-  }
-  size_t total = (size_t)count[0] * (size_t)count[1];
-  double *numbers = LAM_NEW(r->arena, double, 4 * total), *weights = LAM_NEW(r->arena, double, total);
-  lam_vec3 *points = LAM_NEW(r->arena, lam_vec3, total);
-  if (!next_numbers(r, &list, numbers, 4 * total)) return false;
-  bool rational = false;
-  for (int j = 0; j < count[1]; j++)
-    for (int i = 0; i < count[0]; i++) {
-      size_t to = (size_t)i * (size_t)count[1] + (size_t)j, from = (size_t)j * (size_t)count[0] + (size_t)i;
-      points[to] = lam_scale(moved(&m, numbers + total + 3 * from), r->unit);
-      weights[to] = numbers[from];
-      rational |= weights[to] != numbers[0];
-    }
-  s->points = points;
-  s->weights = rational || !(numbers[0] > 0) ? weights : NULL;
-  const char *problem = lam_spline_problem(s);
-  return problem ? fail(r, lam_arena_printf(r->arena, "it has %s", problem)) : true;
+  return trimmed;
 }
 
 bool lam_iges_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                    lam_spline_list *surfaces) {
-  reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
+  lam_iges_reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
   *surfaces = (lam_spline_list){0};
-  if (!split(&r) || !read_global(&r)) return false;
-  if (r.directory.count % 2) return fail_at(&r, 0, "has an odd number of directory lines");
+  if (!lam_iges_begin(&r)) return false;
+  const bool *trimmed = find_trimmed(&r);
+  bool placed = false;
+  for (int at = 0; at < r.directory.count; at += 2) placed |= lam_iges_field(&r, at, 0) == instance;
   for (int at = 0; at < r.directory.count; at += 2) {
     lam_spline_surface s = {0};
-    if (directory_field(&r, at, 0) != 128) continue;
-    r.entity = 128;
-    r.directory_line = at;
-    if (!read_surface(&r, at, &s)) return false;
-    lam_spline_append(arena, surfaces, &s);
+    if (lam_iges_field(&r, at, 0) != surface_type) continue;
+    if (!lam_iges_surface(&r, at, &s)) return false;
+    lam_spline_append(arena, surfaces, &s, lam_spline_note(trimmed[at], placed));
   }
-  if (!surfaces->count) fail_at(&r, 0, "has no B-spline surface (entity 128); expected surfaces saved as NURBS");
+  if (!surfaces->count)
+    lam_iges_fail_at(&r, 0, "has no B-spline surface (entity 128); expected surfaces saved as NURBS");
   return surfaces->count > 0;
+}
+
+/* The label in the second directory line; after the entry's place where there is none. */
+static const char *label_of(const lam_iges_reader *r, int at) {
+  enum { width = 8 };
+  const char *text = r->directory.lines[at + 1].text + label_field * width;
+  char *label = lam_arena_alloc(r->arena, width + 1, 1);
+  int n = 0;
+  for (int i = 0; i < width; i++)
+    if ((unsigned char)text[i] > ' ' && text[i] != 127) label[n++] = text[i];
+  return n ? label : lam_arena_printf(r->arena, "D%d", at + 1);
+}
+
+bool lam_iges_read_curves(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                          lam_curve_list *curves) {
+  lam_iges_reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
+  *curves = (lam_curve_list){0};
+  if (!lam_iges_begin(&r)) return false;
+  bool *plane = LAM_NEW(arena, bool, r.directory.count + 1);
+  lam_iges_mark_plane_curves(&r, plane);
+  for (int at = 0; at < r.directory.count; at += 2) {
+    lam_spline_curve curve;
+    if (plane[at]) continue;
+    if (!lam_iges_curve(&r, at, &curve)) return false;
+    if (curve.count) lam_curve_append(arena, curves, label_of(&r, at), -1, curve);
+  }
+  if (!curves->count)
+    lam_iges_fail_at(&r, 0, "has no curve (entity 126, 110 or 100); expected B-splines, lines or arcs");
+  return curves->count > 0;
 }

@@ -266,11 +266,14 @@ static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam
 
 const lam_format lam_format_obj = {
     .name = "obj",
-    .doc = "The net with its faces and polylines, and the parts as groups, in meters; meshes are read from it.",
+    .doc = "The net with its faces and polylines, and the parts as groups, in meters; meshes are read from it, and "
+           "free-form surfaces and curves.",
     .ending = "obj",
     .count = count,
     .path = path,
     .write = write,
     .read_mesh = read_mesh,
     .read_triangles = read_triangles,
+    .read_surfaces = lam_obj_read_surfaces,
+    .read_curves = lam_obj_read_curves,
 };

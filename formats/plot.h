@@ -9,7 +9,8 @@ typedef struct lam_box {
 } lam_box;
 
 /* The net seen from obliquely above, in parallel projection, farther faces first. A vertex colors the quarter of each
- * face next to it, an edge its line, a face itself. */
+ * face next to it, an edge its line, a face itself. With a layout, half of the box shows it in the same colors and at
+ * the same scale. */
 void lam_plot_view(lam_text *out, const lam_mesh *net, const lam_map *map, const lam_color_scale *scale, lam_box box);
 /* How many elements have which value, in bins of the scale's colors, with both axes; the box is the plot area, labels
  * stand outside it (15 mm below, 12 mm to the left, 6 mm above). */

@@ -119,7 +119,8 @@ static void bar(lam_text *out, const lam_color_scale *scale, lam_box box, int k,
 }
 
 void lam_plot_histogram(lam_text *out, const lam_map *map, const lam_color_scale *scale, lam_box box) {
-  double low = map->summary.min, high = map->summary.max;
+  bool shared = map->range[0] < map->range[1];
+  double low = shared ? map->range[0] : map->summary.min, high = shared ? map->range[1] : map->summary.max;
   int count = scale->constant ? 1 : bins;
   long in_bin[bins] = {0}, most = 1;
   for (int i = 0; i < map->count; i++) {

@@ -25,19 +25,42 @@ static int nearer(const void *a, const void *b) {
   return p->depth != q->depth ? (p->depth > q->depth) - (p->depth < q->depth) : p->face - q->face;
 }
 
-static void project(view *v, lam_box box) {
-  int n = v->net->vertex_count;
+/* The net on the picture plane, in meters: x right, y down, z towards the viewer. */
+static void look(view *v) {
   lam_vec3 right = lam_v3(-sin(azimuth), cos(azimuth), 0);
   lam_vec3 to = lam_v3(cos(elevation) * cos(azimuth), cos(elevation) * sin(azimuth), sin(elevation));
-  lam_vec3 up = lam_cross(to, right), low = {INFINITY, INFINITY, 0}, high = {-INFINITY, -INFINITY, 0};
-  for (int i = 0; i < n; i++) {
-    lam_vec3 x = v->net->vertices[i], p = lam_v3(lam_dot(x, right), -lam_dot(x, up), lam_dot(x, to));
-    v->points[i] = p;
-    low = lam_v3(fmin(low.x, p.x), fmin(low.y, p.y), 0), high = lam_v3(fmax(high.x, p.x), fmax(high.y, p.y), 0);
+  lam_vec3 up = lam_cross(to, right);
+  for (int i = 0; i < v->net->vertex_count; i++) {
+    lam_vec3 x = v->net->vertices[i];
+    v->points[i] = lam_v3(lam_dot(x, right), -lam_dot(x, up), lam_dot(x, to));
   }
+}
+
+static void look_flat(view *v) {
+  for (int i = 0; i < v->net->vertex_count; i++) v->points[i] = lam_v3(v->map->layout[i].x, -v->map->layout[i].y, 0);
+}
+
+static void bounds(const view *v, lam_vec3 *low, lam_vec3 *high) {
+  *low = lam_v3(INFINITY, INFINITY, 0), *high = lam_v3(-INFINITY, -INFINITY, 0);
+  for (int i = 0; i < v->net->vertex_count; i++) {
+    lam_vec3 p = v->points[i];
+    *low = lam_v3(fmin(low->x, p.x), fmin(low->y, p.y), 0), *high = lam_v3(fmax(high->x, p.x), fmax(high->y, p.y), 0);
+  }
+}
+
+/* Millimeters per meter that fit the points into the box. */
+static double fitting(const view *v, lam_box box) {
+  lam_vec3 low, high;
+  bounds(v, &low, &high);
   double scale = fmin(box.width / (high.x - low.x), box.height / (high.y - low.y));
-  if (!isfinite(scale)) scale = 0;
-  for (int i = 0; i < n; i++) {
+  return isfinite(scale) ? scale : 0;
+}
+
+/* Into the middle of the box. */
+static void place(view *v, lam_box box, double scale) {
+  lam_vec3 low, high;
+  bounds(v, &low, &high);
+  for (int i = 0; i < v->net->vertex_count; i++) {
     lam_vec3 *p = &v->points[i];
     p->x = box.x + box.width / 2 + (p->x - (low.x + high.x) / 2) * scale;
     p->y = box.y + box.height / 2 + (p->y - (low.y + high.y) / 2) * scale;
@@ -123,23 +146,44 @@ static void draw_face(const view *v, int f) {
   lam_text_add(v->out, " class=\"line\"/>\n");
 }
 
-void lam_plot_view(lam_text *out, const lam_mesh *net, const lam_map *map, const lam_color_scale *scale, lam_box box) {
-  lam_arena *arena = out->arena;
-  view v = {.out = out, .net = net, .map = map, .scale = scale, .points = LAM_NEW(arena, lam_vec3, net->vertex_count)};
-  project(&v, box);
-  if (map->on == LAM_MAP_EDGES) find_edges(arena, &v);
-  sorted_face *order = LAM_NEW(arena, sorted_face, net->face_count);
-  for (int f = 0; f < net->face_count; f++) {
+/* All faces, farther ones first. */
+static void draw(view *v, const char *class) {
+  lam_text *out = v->out;
+  sorted_face *order = LAM_NEW(out->arena, sorted_face, v->net->face_count);
+  for (int f = 0; f < v->net->face_count; f++) {
     order[f].face = f;
-    for (int k = 0; k < 4; k++) order[f].depth += v.points[net->faces[f][k]].z;
+    for (int k = 0; k < 4; k++) order[f].depth += v->points[v->net->faces[f][k]].z;
   }
-  qsort(order, (size_t)net->face_count, sizeof *order, nearer);
-  lam_text_add(out, "<g class=\"view\" stroke-linejoin=\"round\" stroke-width=\"");
-  lam_text_number(out, v.line, 3);
+  qsort(order, (size_t)v->net->face_count, sizeof *order, nearer);
+  lam_text_printf(out, "<g class=\"%s\" stroke-linejoin=\"round\" stroke-width=\"", class);
+  lam_text_number(out, v->line, 3);
   lam_text_add(out, "\">\n<style>.line { fill: none; stroke: #202020; stroke-opacity: .55 } .edge { fill: none; "
                     "stroke-linecap: round; stroke-width: ");
-  lam_text_number(out, 4 * v.line, 3);
+  lam_text_number(out, 4 * v->line, 3);
   lam_text_add(out, " }</style>\n");
-  for (int i = 0; i < net->face_count; i++) draw_face(&v, order[i].face);
+  for (int i = 0; i < v->net->face_count; i++) draw_face(v, order[i].face);
   lam_text_add(out, "</g>\n");
+}
+
+void lam_plot_view(lam_text *out, const lam_mesh *net, const lam_map *map, const lam_color_scale *scale, lam_box box) {
+  static const double gap = 6;
+  lam_arena *arena = out->arena;
+  view v = {.out = out, .net = net, .map = map, .scale = scale, .points = LAM_NEW(arena, lam_vec3, net->vertex_count)};
+  if (map->on == LAM_MAP_EDGES) find_edges(arena, &v);
+  look(&v);
+  if (!map->layout) {
+    place(&v, box, fitting(&v, box));
+    draw(&v, "view");
+    return;
+  }
+  lam_box half = {box.x, box.y, (box.width - gap) / 2, box.height}, other = half;
+  other.x += half.width + gap;
+  double shared = fitting(&v, half);
+  look_flat(&v);
+  shared = fmin(shared, fitting(&v, other));
+  place(&v, other, shared);
+  draw(&v, "layout");
+  look(&v);
+  place(&v, half, shared);
+  draw(&v, "view");
 }

@@ -39,9 +39,8 @@ static void insert(rows *r, double t, int k, int times) {
   r->count++;
 }
 
-/* Cuts the curve off below its domain. Precondition: room for degree more points and knots. */
-static void clamp_low(rows *r) {
-  double t = r->knots[r->degree];
+/* Cuts the curve off below t, in its domain. Precondition: room for degree more points and knots. */
+static void cut_low(rows *r, double t) {
   int k = r->degree, times = 0;
   while (r->knots[k + 1] <= t) k++;
   while (times <= k && r->knots[k - times] == t) times++;
@@ -71,7 +70,7 @@ static void clamp(lam_arena *arena, lam_spline_surface *s, int d) {
       to[0] = w * s->points[at].x, to[1] = w * s->points[at].y, to[2] = w * s->points[at].z, to[3] = w;
     }
   for (int end = 0; end < 2; end++) {
-    clamp_low(&r);
+    cut_low(&r, r.knots[r.degree]);
     reverse(&r);
   }
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, r.count * other);
@@ -88,6 +87,30 @@ static void clamp(lam_arena *arena, lam_spline_surface *s, int d) {
   s->knots[d] = r.knots;
   s->points = points;
   s->weights = weights;
+}
+
+lam_spline_curve lam_spline_curve_cut(lam_arena *arena, const lam_spline_curve *c, double low, double high) {
+  int room = c->count + 2 * c->degree;
+  rows r = {.degree = c->degree, .count = c->count, .width = coordinates};
+  r.knots = LAM_NEW(arena, double, room + c->degree + 1);
+  r.points = LAM_NEW(arena, double, room *coordinates);
+  memcpy(r.knots, c->knots, (size_t)(c->count + c->degree + 1) * sizeof *r.knots);
+  for (int i = 0; i < c->count; i++) {
+    double w = c->weights ? c->weights[i] : 1, *to = r.points + coordinates * i;
+    to[0] = w * c->points[i].x, to[1] = w * c->points[i].y, to[2] = w * c->points[i].z, to[3] = w;
+  }
+  cut_low(&r, low);
+  reverse(&r);
+  cut_low(&r, -high);
+  reverse(&r);
+  lam_vec3 *points = LAM_NEW(arena, lam_vec3, r.count);
+  double *weights = c->weights ? LAM_NEW(arena, double, r.count) : NULL;
+  for (int i = 0; i < r.count; i++) {
+    const double *from = r.points + coordinates * i;
+    points[i] = lam_scale(lam_v3(from[0], from[1], from[2]), 1 / from[3]);
+    if (weights) weights[i] = from[3];
+  }
+  return (lam_spline_curve){c->degree, r.count, r.knots, points, weights};
 }
 
 lam_spline_surface lam_spline_clamped(lam_arena *arena, const lam_spline_surface *surface) {
@@ -112,6 +135,50 @@ lam_spline_side lam_spline_side_of(const lam_spline_surface *s, int k) {
                            .weights = s->weights};
 }
 
+lam_spline_side lam_spline_side_of_curve(const lam_spline_curve *curve) {
+  return (lam_spline_side){.degree = curve->degree,
+                           .count = curve->count,
+                           .stride = 1,
+                           .knots = curve->knots,
+                           .points = curve->points,
+                           .weights = curve->weights};
+}
+
+lam_vec3 lam_spline_side_point(lam_arena *arena, const lam_spline_side *side, double t) {
+  lam_vec3 slope;
+  return lam_spline_side_slope(arena, side, t, &slope);
+}
+
+/* De Boor's algorithm on homogeneous points (X, w); its last two points give the derivative, x' = (X' - w' x) / w. */
+lam_vec3 lam_spline_side_slope(lam_arena *arena, const lam_spline_side *s, double t, lam_vec3 *slope) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  int p = s->degree, low = p, high = s->count;
+  while (high - low > 1) { /* knots[low] <= t < knots[high] */
+    int middle = (low + high) / 2;
+    *(s->knots[middle] <= t ? &low : &high) = middle;
+  }
+  while (low > p && s->knots[low] == s->knots[low + 1]) low--; /* the end of the domain */
+  double(*x)[coordinates] = (double(*)[coordinates])lam_arena_alloc(arena, (size_t)p + 1, sizeof *x), d[coordinates];
+  for (int j = 0; j <= p; j++) {
+    int at = s->first + (low - p + j) * s->stride;
+    double w = s->weights ? s->weights[at] : 1;
+    const lam_vec3 *q = &s->points[at];
+    x[j][0] = w * q->x, x[j][1] = w * q->y, x[j][2] = w * q->z, x[j][3] = w;
+  }
+  for (int r = 1; r <= p; r++)
+    for (int j = p; j >= r; j--) {
+      double from = s->knots[low - p + j], width = s->knots[low + 1 + j - r] - from, a = (t - from) / width;
+      for (int c = 0; c < coordinates; c++) {
+        d[c] = p * (x[j][c] - x[j - 1][c]) / width;
+        x[j][c] = (1 - a) * x[j - 1][c] + a * x[j][c];
+      }
+    }
+  lam_vec3 point = lam_scale(lam_v3(x[p][0], x[p][1], x[p][2]), 1 / x[p][3]);
+  *slope = lam_scale(lam_along(lam_v3(d[0], d[1], d[2]), -d[3], point), 1 / x[p][3]);
+  lam_arena_release(arena, mark);
+  return point;
+}
+
 bool lam_spline_meet(lam_vec3 a, lam_vec3 b) { return lam_distance(a, b) <= 1e-9; }
 
 bool lam_spline_side_is_point(const lam_spline_side *s) {
@@ -131,24 +198,44 @@ bool lam_spline_sides_meet(const lam_spline_side *a, const lam_spline_side *b) {
 
 /* ---- what was read ---- */
 
-void lam_spline_append(lam_arena *arena, lam_spline_list *list, const lam_spline_surface *surface) {
+void lam_spline_append(lam_arena *arena, lam_spline_list *list, const lam_spline_surface *surface, const char *note) {
   if (list->count == list->capacity) {
     list->capacity = list->capacity ? 2 * list->capacity : 4;
     lam_spline_surface *larger = LAM_NEW(arena, lam_spline_surface, list->capacity);
-    if (list->count) memcpy(larger, list->items, (size_t)list->count * sizeof *larger);
+    const char **notes = LAM_NEW(arena, const char *, list->capacity);
+    if (list->count) {
+      memcpy(larger, list->items, (size_t)list->count * sizeof *larger);
+      memcpy(notes, list->notes, (size_t)list->count * sizeof *notes);
+    }
     list->items = larger;
+    list->notes = notes;
   }
+  list->notes[list->count] = note;
   list->items[list->count++] = *surface;
+}
+
+const char *lam_spline_note(bool trimmed, bool placed) {
+  if (trimmed && placed)
+    return "in the file this face is trimmed to a part of its surface, and components are placed in an assembly: the "
+           "whole surface is taken, where its component was drawn";
+  if (trimmed) return "in the file this face is trimmed to a part of its surface: the whole surface is taken";
+  return placed ? "in the file components are placed in an assembly: the surface is taken where its component was drawn"
+                : NULL;
+}
+
+const char *lam_spline_knots_problem(const lam_spline_surface *s, int d) {
+  if (s->degree[d] < 1) return "a degree less than 1";
+  if (s->count[d] <= s->degree[d]) return "too few points for its degree";
+  int knots = s->count[d] + s->degree[d] + 1;
+  for (int i = 1; i < knots; i++)
+    if (!(s->knots[d][i] >= s->knots[d][i - 1])) return "knots that decrease";
+  return s->knots[d][s->degree[d]] < s->knots[d][s->count[d]] ? NULL : "knots with an empty domain";
 }
 
 const char *lam_spline_problem(const lam_spline_surface *s) {
   for (int d = 0; d < 2; d++) {
-    if (s->degree[d] < 1) return "a degree less than 1";
-    if (s->count[d] <= s->degree[d]) return "too few points for its degree";
-    int knots = s->count[d] + s->degree[d] + 1;
-    for (int i = 1; i < knots; i++)
-      if (!(s->knots[d][i] >= s->knots[d][i - 1])) return "knots that decrease";
-    if (!(s->knots[d][s->degree[d]] < s->knots[d][s->count[d]])) return "knots with an empty domain";
+    const char *problem = lam_spline_knots_problem(s, d);
+    if (problem) return problem;
   }
   for (int i = 0; i < s->count[0] * s->count[1]; i++)
     if (!isfinite(lam_dot(s->points[i], s->points[i]))) return "a point too far away";

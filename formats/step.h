@@ -5,8 +5,12 @@
 #include "formats/format.h"
 
 /* The B-spline surfaces of a STEP file in the order of their numbers, rational or not, in meters, without trimming and
- * without the placement of components. At least one, or an error. */
+ * without the placement of components (their notes say where that matters). At least one, or an error. */
 bool lam_step_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                    lam_spline_list *surfaces);
+/* The curves of a STEP file in the order of their numbers: edges, trimmed curves, polylines, and B-spline curves that
+ * serve none of these; on B-splines, straight lines and circles, others are left out. At least one, or an error. */
+bool lam_step_read_curves(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                          lam_curve_list *curves);
 
 #endif

@@ -1,214 +1,66 @@
-/* B-spline surfaces out of the entities of a STEP file (ISO 10303-42, 4.4.36 and on). */
+/* What is read of a STEP file (ISO 10303-42): all B-spline surfaces, or all curves. */
 #include "formats/step.h"
-#include "formats/step_tree.h"
+#include "formats/step_reader.h"
 
 #include <string.h>
 
-enum { largest_degree = 1000, deepest_unit = 8 };
+static bool begin(lam_step_reader *r) { return lam_step_tree_read(r->arena, &r->scan, &r->tree); }
 
-typedef struct reader {
-  lam_arena *arena;
-  lam_scan scan;
-  lam_step_tree tree;
-  double unit; /* of lengths, in meters */
-  const lam_step_entity *surface;
-} reader;
+/* ---- notes ---- */
 
-static bool fail(reader *r, const char *what) {
-  r->scan.place.line = r->surface->line;
-  lam_error_add(r->scan.errors, r->scan.place, NULL, "surface #%ld: %s", r->surface->number, what);
+/* Whether edges of a loop leave the surface's own boundary. What cannot be read is passed over. */
+static bool loop_trims(lam_step_reader *r, const lam_step_entity *loop, const lam_spline_surface *clamped) {
+  const lam_step_value *edges = lam_step_typed(lam_step_record(loop, "EDGE_LOOP"), 1, LAM_STEP_LIST);
+  for (int i = 0; edges && i < edges->count; i++) {
+    const lam_step_value *oriented = lam_step_record(lam_step_referred(r, edges, i), "ORIENTED_EDGE");
+    const lam_step_entity *edge = lam_step_referred(r, oriented, 3);
+    lam_errors *errors = r->scan.errors, ignored = {.arena = r->arena};
+    lam_spline_curve curve = {0};
+    const char *other;
+    r->scan.errors = &ignored;
+    bool read = lam_step_record(edge, "EDGE_CURVE") && lam_step_curve_of(r, edge, &curve, &other) && curve.count;
+    r->scan.errors = errors;
+    if (read && !lam_curve_is_border(r->arena, &curve, clamped)) return true;
+  }
   return false;
 }
 
-static bool is_enough(const lam_step_value *value, int count) { return value && value->count >= count; }
-
-/* ---- units ---- */
-
-/* The size of a unit of length in meters; 0: it is none that is known. */
-static double unit_size(const reader *r, const lam_step_entity *entity, int depth) {
-  static const struct {
-    const char *prefix;
-    double size;
-  } prefixes[] = {{".NANO.", 1e-9}, {".MICRO.", 1e-6}, {".MILLI.", 1e-3}, {".CENTI.", 1e-2},
-                  {".DECI.", 1e-1}, {".DECA.", 1e1},   {".HECTO.", 1e2},  {".KILO.", 1e3}};
-  const lam_step_value *si = lam_step_record(entity, "SI_UNIT"), *prefix = lam_step_item(si, 0);
-  if (si && prefix) {
-    const lam_step_value *name = lam_step_item(si, is_enough(si, 3) ? 2 : 1);
-    if (!name || !lam_word_is(name->word, ".METRE.")) return 0;
-    if (prefix->type == LAM_STEP_NOTHING) return 1;
-    for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++)
-      if (lam_word_is(prefix->word, prefixes[i].prefix)) return prefixes[i].size;
-    return 0;
+static bool face_trims(lam_step_reader *r, const lam_step_value *face, const lam_spline_surface *surface) {
+  lam_spline_surface clamped = lam_spline_clamped(r->arena, surface);
+  const lam_step_value *bounds = lam_step_typed(face, 1, LAM_STEP_LIST);
+  for (int i = 0; bounds && i < bounds->count; i++) {
+    const lam_step_entity *entity = lam_step_referred(r, bounds, i);
+    const lam_step_value *bound = lam_step_record(entity, "FACE_OUTER_BOUND");
+    if (!bound) bound = lam_step_record(entity, "FACE_BOUND");
+    if (loop_trims(r, lam_step_referred(r, bound, 1), &clamped)) return true;
   }
-  const lam_step_value *conversion = lam_step_record(entity, "CONVERSION_BASED_UNIT");
-  const lam_step_value *measure = lam_step_typed(conversion, 1, LAM_STEP_REFERENCE);
-  if (!measure || depth == deepest_unit) return 0;
-  const lam_step_entity *with = lam_step_find(&r->tree, measure->entity);
-  const lam_step_value *factor = lam_step_record(with, "LENGTH_MEASURE_WITH_UNIT");
-  if (!factor) factor = lam_step_record(with, "MEASURE_WITH_UNIT");
-  const lam_step_value *number = lam_step_typed(lam_step_item(factor, 0), 0, LAM_STEP_NUMBER);
-  const lam_step_value *base = lam_step_typed(factor, 1, LAM_STEP_REFERENCE);
-  if (!number || !base) return 0;
-  return number->number * unit_size(r, lam_step_find(&r->tree, base->entity), depth + 1);
+  return false;
 }
 
-static bool add_unit(reader *r, const lam_step_entity *entity) {
-  if (!lam_step_record(entity, "LENGTH_UNIT")) return true;
-  double size = unit_size(r, entity, 0);
-  r->scan.place.line = entity->line;
-  if (!(size > 0 && isfinite(size))) {
-    lam_error_add(r->scan.errors, r->scan.place, NULL, "unit #%ld is no known unit of length", entity->number);
-    return false;
-  }
-  if (r->unit > 0 && r->unit != size) {
-    lam_error_add(r->scan.errors, r->scan.place, NULL, "two units of length, %g m and %g m; one expected", r->unit,
-                  size);
-    return false;
-  }
-  r->unit = size;
-  return true;
-}
-
-/* The unit of length of the geometry: what the contexts assign. */
-static bool find_unit(reader *r) {
+/* The faces by the surface that they lie on: per entity, the record of a face; NULL: none. */
+static const lam_step_value **find_faces(const lam_step_reader *r) {
+  const lam_step_value **faces = LAM_NEW(r->arena, const lam_step_value *, r->tree.count);
   for (int i = 0; i < r->tree.count; i++) {
-    const lam_step_value *assigned = lam_step_record(&r->tree.entities[i], "GLOBAL_UNIT_ASSIGNED_CONTEXT");
-    const lam_step_value *units = lam_step_item(assigned, 0);
-    for (const lam_step_value *unit = units ? units->first : NULL; unit; unit = unit->next) {
-      const lam_step_entity *entity = lam_step_find(&r->tree, unit->entity);
-      if (entity && !add_unit(r, entity)) return false;
-    }
+    const lam_step_value *face = lam_step_record(&r->tree.entities[i], "ADVANCED_FACE");
+    if (!face) face = lam_step_record(&r->tree.entities[i], "FACE_SURFACE");
+    const lam_step_entity *surface = lam_step_referred(r, face, 2);
+    if (surface) faces[surface - r->tree.entities] = face;
   }
-  if (r->unit > 0) return true;
-  r->scan.place.line = 0;
-  lam_error_add(r->scan.errors, r->scan.place, NULL, "names no unit of length");
+  return faces;
+}
+
+static bool is_assembly(const lam_step_reader *r) {
+  for (int i = 0; i < r->tree.count; i++)
+    if (lam_step_record(&r->tree.entities[i], "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION") ||
+        lam_step_record(&r->tree.entities[i], "MAPPED_ITEM"))
+      return true;
   return false;
 }
 
 /* ---- surfaces ---- */
 
-static bool read_degree(const lam_step_value *list, int i, int *degree) {
-  const lam_step_value *value = lam_step_typed(list, i, LAM_STEP_NUMBER);
-  if (!value || !(value->number >= 1 && value->number <= largest_degree)) return false;
-  *degree = (int)value->number;
-  return *degree == value->number;
-}
-
-/* A list of rows that have the same number of items each. */
-static bool is_table(const lam_step_value *table, int count[2]) {
-  if (!table || table->type != LAM_STEP_LIST || !table->first) return false;
-  count[0] = table->count;
-  count[1] = table->first->count;
-  for (const lam_step_value *row = table->first; row; row = row->next)
-    if (row->type != LAM_STEP_LIST || row->count != count[1]) return false;
-  return count[1] > 0;
-}
-
-static bool read_point(reader *r, const lam_step_value *reference, lam_vec3 *point) {
-  const lam_step_entity *entity =
-      reference->type == LAM_STEP_REFERENCE ? lam_step_find(&r->tree, reference->entity) : NULL;
-  const lam_step_value *record = lam_step_record(entity, "CARTESIAN_POINT");
-  const lam_step_value *list = lam_step_typed(record, record && record->count > 1 ? 1 : 0, LAM_STEP_LIST);
-  double xyz[3];
-  for (int c = 0; c < 3; c++) {
-    const lam_step_value *number = lam_step_typed(list, c, LAM_STEP_NUMBER);
-    if (!number) return fail(r, "a control point is not a CARTESIAN_POINT of three numbers");
-    xyz[c] = number->number * r->unit;
-  }
-  *point = lam_v3(xyz[0], xyz[1], xyz[2]);
-  return true;
-}
-
-static bool read_points(reader *r, const lam_step_value *table, lam_spline_surface *s) {
-  if (!is_table(table, s->count)) return fail(r, "its control points are not rows of equal length");
-  lam_vec3 *points = LAM_NEW(r->arena, lam_vec3, (size_t)s->count[0] * (size_t)s->count[1]), *at = points;
-  for (const lam_step_value *row = table->first; row; row = row->next)
-    for (const lam_step_value *item = row->first; item; item = item->next)
-      if (!read_point(r, item, at++)) return false;
-  s->points = points;
-  return true;
-}
-
-static bool read_weights(reader *r, const lam_step_value *table, lam_spline_surface *s) {
-  int count[2];
-  if (!is_table(table, count) || count[0] != s->count[0] || count[1] != s->count[1])
-    return fail(r, "expected as many weights as control points");
-  double *weights = LAM_NEW(r->arena, double, (size_t)count[0] * (size_t)count[1]), *at = weights;
-  for (const lam_step_value *row = table->first; row; row = row->next)
-    for (const lam_step_value *item = row->first; item; item = item->next) {
-      if (item->type != LAM_STEP_NUMBER) return fail(r, "a weight is not a number");
-      *at++ = item->number;
-    }
-  s->weights = weights;
-  return true;
-}
-
-/* Knots are listed once, with how often they stand. */
-static bool read_knots(reader *r, const lam_step_value *times, const lam_step_value *values, int d,
-                       lam_spline_surface *s) {
-  int total = s->count[d] + s->degree[d] + 1, filled = 0;
-  if (!times || !values || times->count != values->count) return fail(r, "expected as many knots as multiplicities");
-  double *knots = LAM_NEW(r->arena, double, total);
-  const lam_step_value *value = values->first;
-  for (const lam_step_value *t = times->first; t; t = t->next, value = value->next) {
-    if (t->type != LAM_STEP_NUMBER || value->type != LAM_STEP_NUMBER) return fail(r, "a knot is not a number");
-    if (!(t->number >= 1 && t->number <= total - filled)) return fail(r, "its multiplicities do not fit its points");
-    for (int k = (int)t->number; k > 0; k--) knots[filled++] = value->number;
-  }
-  if (filled < total) return fail(r, "its multiplicities do not fit its points");
-  s->knots[d] = knots;
-  return true;
-}
-
-/* Surfaces whose knots follow from their degree and number of points. */
-typedef enum knot_form { KNOTS_BEZIER, KNOTS_QUASI_UNIFORM, KNOTS_UNIFORM, KNOTS_GIVEN } knot_form;
-static const char *const knot_forms[] = {"BEZIER_SURFACE", "QUASI_UNIFORM_SURFACE", "UNIFORM_SURFACE",
-                                         "B_SPLINE_SURFACE_WITH_KNOTS"};
-enum { knot_form_count = 4 };
-
-/* Knot i: whole numbers; on a Bezier surface each as often as the degree, and at the ends of a quasi-uniform one too,
- * and once more at both ends. */
-static double knot_of(knot_form form, int degree, int count, int i) {
-  int inside = i - degree, last = form == KNOTS_BEZIER ? (count - 1) / degree : count - degree;
-  if (form == KNOTS_UNIFORM) return inside;
-  if (form == KNOTS_BEZIER) inside = i == 0 ? 0 : (i - 1) / degree;
-  return inside < 0 ? 0 : inside > last ? last : inside;
-}
-
-static bool make_knots(reader *r, knot_form form, int d, lam_spline_surface *s) {
-  int degree = s->degree[d], count = s->count[d];
-  if (count <= degree || (form == KNOTS_BEZIER && (count - 1) % degree != 0))
-    return fail(r, "its number of points does not fit its degree");
-  double *knots = LAM_NEW(r->arena, double, count + degree + 1);
-  for (int i = 0; i < count + degree + 1; i++) knots[i] = knot_of(form, degree, count, i);
-  s->knots[d] = knots;
-  return true;
-}
-
-/* The part of a surface without knots begins at item `shape` of its record, the knots at item `first` of theirs: a
- * simple instance has a name before, and both in one record. */
-static bool read_surface(reader *r, const lam_step_value *with_knots, knot_form form, lam_spline_surface *s) {
-  const lam_step_value *spline = lam_step_record(r->surface, "B_SPLINE_SURFACE");
-  const lam_step_value *rational = lam_step_record(r->surface, "RATIONAL_B_SPLINE_SURFACE");
-  int shape = spline ? 0 : 1, first = spline ? 0 : 8;
-  if (!spline) spline = with_knots;
-  if (!is_enough(spline, shape + 7) || (form == KNOTS_GIVEN && !is_enough(with_knots, first + 5)))
-    return fail(r, "values are missing");
-  for (int d = 0; d < 2; d++)
-    if (!read_degree(spline, shape + d, &s->degree[d])) return fail(r, "its degree is not a whole number from 1 on");
-  if (!read_points(r, lam_step_item(spline, shape + 2), s)) return false;
-  for (int d = 0; d < 2; d++)
-    if (form == KNOTS_GIVEN ? !read_knots(r, lam_step_typed(with_knots, first + d, LAM_STEP_LIST),
-                                          lam_step_typed(with_knots, first + 2 + d, LAM_STEP_LIST), d, s)
-                            : !make_knots(r, form, d, s))
-      return false;
-  if (rational && !read_weights(r, lam_step_item(rational, 0), s)) return false;
-  const char *problem = lam_spline_problem(s);
-  return problem ? fail(r, lam_arena_printf(r->arena, "it has %s", problem)) : true;
-}
-
-/* What the file has instead. */
-static void complain_of_none(reader *r) {
+/* What the file has instead of a B-spline surface. */
+static void complain_of_none(lam_step_reader *r) {
   static const char *const others[] = {"PLANE",
                                        "CYLINDRICAL_SURFACE",
                                        "CONICAL_SURFACE",
@@ -228,28 +80,101 @@ static void complain_of_none(reader *r) {
   lam_error_add(r->scan.errors, r->scan.place, NULL, "has no surface; expected at least one B-spline surface");
 }
 
-/* Reads the entity when it is a surface; false only with a message. */
-static bool read_entity(reader *r, const lam_step_entity *entity, lam_spline_list *surfaces) {
-  for (int form = 0; form < knot_form_count; form++) {
-    const lam_step_value *record = lam_step_record(entity, knot_forms[form]);
-    lam_spline_surface s = {0};
-    if (!record) continue;
-    if (r->unit == 0 && !find_unit(r)) return false;
-    r->surface = entity;
-    if (!read_surface(r, record, (knot_form)form, &s)) return false;
-    lam_spline_append(r->arena, surfaces, &s);
-    return true;
-  }
-  return true;
-}
-
 bool lam_step_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                    lam_spline_list *surfaces) {
-  reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
+  lam_step_reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
   *surfaces = (lam_spline_list){0};
-  if (!lam_step_tree_read(arena, &r.scan, &r.tree)) return false;
-  for (int i = 0; i < r.tree.count; i++)
-    if (!read_entity(&r, &r.tree.entities[i], surfaces)) return false;
+  if (!begin(&r)) return false;
+  const lam_step_value **faces = find_faces(&r);
+  bool placed = is_assembly(&r);
+  for (int i = 0, form; i < r.tree.count; i++) {
+    const lam_step_value *record = lam_step_spline_surface_record(&r.tree.entities[i], &form);
+    lam_spline_surface s = {0};
+    if (!record) continue;
+    if (r.unit == 0 && !lam_step_units(&r)) return false;
+    r.entity = &r.tree.entities[i];
+    r.what = "surface";
+    if (!lam_step_spline_surface(&r, record, form, &s)) return false;
+    bool trimmed = faces[i] && face_trims(&r, faces[i], &s);
+    lam_spline_append(arena, surfaces, &s, lam_spline_note(trimmed, placed));
+  }
   if (!surfaces->count) complain_of_none(&r);
   return surfaces->count > 0;
+}
+
+/* ---- curves ---- */
+
+static const char *const spellings[] = {"EDGE_CURVE", "TRIMMED_CURVE", "POLYLINE"};
+
+static void mark(const lam_step_reader *r, bool *used, const lam_step_entity *entity) {
+  if (entity) used[entity - r->tree.entities] = true;
+}
+
+/* Curves that only serve others: those that edges and trimmed curves lie on, and those in the parameters of surfaces.
+ */
+static bool *find_used(const lam_step_reader *r) {
+  static const struct {
+    const char *keyword;
+    int item;
+  } users[] = {
+      {"EDGE_CURVE", 3}, {"TRIMMED_CURVE", 1}, {"SURFACE_CURVE", 1}, {"SEAM_CURVE", 1}, {"INTERSECTION_CURVE", 1}};
+  bool *used = LAM_NEW(r->arena, bool, r->tree.count);
+  for (int i = 0; i < r->tree.count; i++) {
+    const lam_step_entity *entity = &r->tree.entities[i];
+    for (size_t k = 0; k < sizeof users / sizeof *users; k++)
+      mark(r, used, lam_step_referred(r, lam_step_record(entity, users[k].keyword), users[k].item));
+    const lam_step_value *items =
+        lam_step_typed(lam_step_record(entity, "DEFINITIONAL_REPRESENTATION"), 1, LAM_STEP_LIST);
+    for (int k = 0; items && k < items->count; k++) mark(r, used, lam_step_referred(r, items, k));
+    if (lam_step_is_plane_curve(r, entity)) used[i] = true;
+  }
+  return used;
+}
+
+/* The letters of a string between its quotes; NULL: it has none. */
+static const char *name_in(const lam_step_reader *r, const lam_step_value *record, int i) {
+  const lam_step_value *text = lam_step_typed(record, i, LAM_STEP_TEXT);
+  if (!text || text->word.length < 3 || text->word.text[0] != '\'') return NULL;
+  char *name = lam_arena_alloc(r->arena, (size_t)text->word.length, 1);
+  int n = 0;
+  for (int k = 1; k < text->word.length - 1; k++) {
+    char c = text->word.text[k];
+    if (c == '\'' && text->word.text[k + 1] == '\'') k++;
+    if ((unsigned char)c >= ' ' && c != 127) name[n++] = c;
+  }
+  return n ? name : NULL;
+}
+
+static const char *name_of(const lam_step_reader *r, const lam_step_entity *entity) {
+  const char *name = name_in(r, lam_step_record(entity, "REPRESENTATION_ITEM"), 0);
+  if (!name) name = name_in(r, entity->records, 0);
+  return name ? name : lam_arena_printf(r->arena, "#%ld", entity->number);
+}
+
+static bool is_curve(const lam_step_entity *entity) {
+  int form;
+  for (size_t k = 0; k < sizeof spellings / sizeof *spellings; k++)
+    if (lam_step_record(entity, spellings[k])) return true;
+  return lam_step_spline_curve_record(entity, &form) != NULL;
+}
+
+bool lam_step_read_curves(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
+                          lam_curve_list *curves) {
+  lam_step_reader r = {.arena = arena, .scan = lam_scan_begin(arena, bytes, count, place, errors)};
+  *curves = (lam_curve_list){0};
+  if (!begin(&r)) return false;
+  const bool *used = find_used(&r);
+  for (int i = 0; i < r.tree.count; i++) {
+    const lam_step_entity *entity = &r.tree.entities[i];
+    lam_spline_curve curve;
+    if (used[i] || !is_curve(entity)) continue;
+    if (r.unit == 0 && !lam_step_units(&r)) return false;
+    if (!lam_step_curve_of(&r, entity, &curve, &curves->other)) return false;
+    if (curve.count) lam_curve_append(arena, curves, name_of(&r, entity), -1, curve);
+  }
+  r.scan.place.line = 0;
+  if (!curves->count)
+    lam_error_add(errors, r.scan.place, NULL, "has no curve%s%s; expected B-splines, lines or arcs",
+                  curves->other ? " but " : "", curves->other ? curves->other : "");
+  return curves->count > 0;
 }

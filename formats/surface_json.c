@@ -1,4 +1,5 @@
-/* surface.json: the control nets of the model's spline surfaces, in meters. Numbers read back exactly. */
+/* surface.json: the control nets of the model's spline surfaces and the control points of its curves, in meters.
+ * Numbers read back exactly. */
 #include "formats/format.h"
 
 #include <jansson.h>
@@ -6,7 +7,7 @@
 
 /* ---- writing ---- */
 
-static int count(const lam_model *model) { return model->surface_count > 0; }
+static int count(const lam_model *model) { return model->surface_count > 0 || model->curve_count > 0; }
 
 static void path(const lam_model *model, int i, lam_text *out) {
   (void)model, (void)i;
@@ -22,28 +23,47 @@ static void add_numbers(lam_text *out, const double *numbers, int n) {
   lam_text_add(out, "]");
 }
 
-static void add_surface(lam_text *out, const lam_spline_surface *s) {
-  lam_text_add(out, "    {\n      \"name\": ");
-  lam_text_quoted(out, s->name);
-  lam_text_printf(out, ",\n      \"degree\": [%d, %d],\n      \"count\": [%d, %d],\n", s->degree[0], s->degree[1],
-                  s->count[0], s->count[1]);
-  for (int d = 0; d < 2; d++) {
-    lam_text_printf(out, "      \"knots_%c\": ", d ? 'v' : 'u');
-    add_numbers(out, s->knots[d], s->count[d] + s->degree[d] + 1);
-    lam_text_add(out, ",\n");
-  }
+static void add_knots(lam_text *out, const char *name, const double *knots, int n) {
+  lam_text_printf(out, "      \"%s\": ", name);
+  add_numbers(out, knots, n);
+  lam_text_add(out, ",\n");
+}
+
+static void add_points(lam_text *out, const lam_vec3 *points, const double *weights, int n) {
   lam_text_add(out, "      \"points\": [");
-  int total = s->count[0] * s->count[1];
-  for (int i = 0; i < total; i++) {
+  for (int i = 0; i < n; i++) {
     lam_text_add(out, i ? ",\n        " : "\n        ");
-    add_numbers(out, (double[3]){s->points[i].x, s->points[i].y, s->points[i].z}, 3);
+    add_numbers(out, (double[3]){points[i].x, points[i].y, points[i].z}, 3);
   }
   lam_text_add(out, "]");
-  if (s->weights) {
+  if (weights) {
     lam_text_add(out, ",\n      \"weights\": ");
-    add_numbers(out, s->weights, total);
+    add_numbers(out, weights, n);
   }
   lam_text_add(out, "\n    }");
+}
+
+static void add_name(lam_text *out, const char *name) {
+  lam_text_add(out, "    {\n      \"name\": ");
+  lam_text_quoted(out, name);
+}
+
+static void add_surface(lam_text *out, const lam_spline_surface *s) {
+  static const char *const names[] = {"knots_u", "knots_v"};
+  add_name(out, s->name);
+  lam_text_printf(out, ",\n      \"degree\": [%d, %d],\n      \"count\": [%d, %d],\n", s->degree[0], s->degree[1],
+                  s->count[0], s->count[1]);
+  for (int d = 0; d < 2; d++) add_knots(out, names[d], s->knots[d], s->count[d] + s->degree[d] + 1);
+  add_points(out, s->points, s->weights, s->count[0] * s->count[1]);
+}
+
+static void add_curve(lam_text *out, const lam_named_curve *named) {
+  const lam_spline_curve *c = &named->spline;
+  add_name(out, named->name);
+  lam_text_printf(out, ",\n      \"family\": %d,\n      \"degree\": %d,\n      \"count\": %d,\n", named->family,
+                  c->degree, c->count);
+  add_knots(out, "knots", c->knots, c->count + c->degree + 1);
+  add_points(out, c->points, c->weights, c->count);
 }
 
 static lam_status write(const lam_model *model, int i, lam_text *out) {
@@ -52,6 +72,11 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   for (int s = 0; s < model->surface_count; s++) {
     add_surface(out, &model->surfaces[s]);
     lam_text_add(out, s + 1 < model->surface_count ? ",\n" : "\n");
+  }
+  lam_text_add(out, "  ],\n  \"curves\": [\n");
+  for (int c = 0; c < model->curve_count; c++) {
+    add_curve(out, &model->curves[c]);
+    lam_text_add(out, c + 1 < model->curve_count ? ",\n" : "\n");
   }
   lam_text_add(out, "  ]\n}\n");
   return LAM_OK;
@@ -64,12 +89,13 @@ typedef struct reader {
   lam_arena *arena;
   lam_place place;
   lam_errors *errors;
-  double unit; /* in meters */
-  int surface; /* from 0 */
+  double unit;      /* in meters */
+  const char *list; /* "surfaces" or "curves", */
+  int item;         /* and which of them, from 0 */
 } reader;
 
 static bool fail(const reader *r, const char *what, const char *expected) {
-  lam_error_add(r->errors, r->place, NULL, "surfaces[%d].%s: expected %s", r->surface, what, expected);
+  lam_error_add(r->errors, r->place, NULL, "%s[%d].%s: expected %s", r->list, r->item, what, expected);
   return false;
 }
 
@@ -95,29 +121,60 @@ static bool read_pair(const json_t *list, int least, int pair[2]) {
   return json_array_size(list) == 2;
 }
 
+/* So many points of three numbers and, where they are given, weights. */
+static bool read_points(const reader *r, const json_t *object, size_t total, const lam_vec3 **points,
+                        const double **weights) {
+  const json_t *list = json_object_get(object, "points"), *given = json_object_get(object, "weights");
+  if (json_array_size(list) != total) return fail(r, "points", "as many points as count says");
+  lam_vec3 *net = LAM_NEW(r->arena, lam_vec3, total);
+  for (size_t i = 0; i < total; i++) {
+    const double *p = read_numbers(r, json_array_get(list, i), 3);
+    if (!p) return fail(r, "points", "three numbers for each");
+    net[i] = lam_v3(r->unit * p[0], r->unit * p[1], r->unit * p[2]);
+  }
+  *points = net;
+  *weights = given ? read_numbers(r, given, (int)total) : NULL;
+  return !given || *weights || fail(r, "weights", "a number for each point");
+}
+
+static bool is_sound(const reader *r, const char *problem) {
+  if (problem) lam_error_add(r->errors, r->place, NULL, "%s[%d] has %s", r->list, r->item, problem);
+  return !problem;
+}
+
 static bool read_surface(const reader *r, const json_t *object, lam_spline_surface *s) {
   static const char *const knots[] = {"knots_u", "knots_v"};
-  const json_t *points = json_object_get(object, "points"), *weights = json_object_get(object, "weights");
   if (!read_pair(json_object_get(object, "degree"), 1, s->degree))
     return fail(r, "degree", "two whole numbers from 1 on");
   if (!read_pair(json_object_get(object, "count"), 2, s->count)) return fail(r, "count", "two whole numbers from 2 on");
   size_t total = (size_t)s->count[0] * (size_t)s->count[1];
-  if (json_array_size(points) != total) return fail(r, "points", "as many points as count says");
-  lam_vec3 *net = LAM_NEW(r->arena, lam_vec3, total);
-  for (size_t i = 0; i < total; i++) {
-    const double *p = read_numbers(r, json_array_get(points, i), 3);
-    if (!p) return fail(r, "points", "three numbers for each");
-    net[i] = lam_v3(r->unit * p[0], r->unit * p[1], r->unit * p[2]);
-  }
-  s->points = net;
+  if (!read_points(r, object, total, &s->points, &s->weights)) return false;
   for (int d = 0; d < 2; d++)
     if (!(s->knots[d] = read_numbers(r, json_object_get(object, knots[d]), s->count[d] + s->degree[d] + 1)))
       return fail(r, knots[d], "count + degree + 1 numbers");
-  if (weights && !(s->weights = read_numbers(r, weights, (int)total)))
-    return fail(r, "weights", "a number for each point");
-  const char *problem = lam_spline_problem(s);
-  if (problem) lam_error_add(r->errors, r->place, NULL, "surfaces[%d] has %s", r->surface, problem);
-  return !problem;
+  return is_sound(r, lam_spline_problem(s));
+}
+
+static bool read_curve(const reader *r, const json_t *object, lam_named_curve *c) {
+  lam_spline_curve *s = &c->spline;
+  const json_t *name = json_object_get(object, "name"), *family = json_object_get(object, "family");
+  json_int_t degree = json_integer_value(json_object_get(object, "degree"));
+  json_int_t count = json_integer_value(json_object_get(object, "count")), most = 1000000;
+  if (degree < 1 || degree > most) return fail(r, "degree", "a whole number from 1 on");
+  if (count < 2 || count > most) return fail(r, "count", "a whole number from 2 on");
+  s->degree = (int)degree;
+  s->count = (int)count;
+  if (!read_points(r, object, (size_t)count, &s->points, &s->weights)) return false;
+  s->knots = read_numbers(r, json_object_get(object, "knots"), s->count + s->degree + 1);
+  if (!s->knots) return fail(r, "knots", "count + degree + 1 numbers");
+  if (!is_sound(r, lam_curve_problem(s))) return false;
+  *s = lam_curve_part(r->arena, s, s->knots[s->degree], s->knots[s->count]);
+  c->family = json_is_integer(family) && json_integer_value(family) >= 0 && json_integer_value(family) < 2
+                  ? (int)json_integer_value(family)
+                  : -1;
+  c->name = json_is_string(name) ? lam_arena_copy(r->arena, json_string_value(name))
+                                 : lam_arena_printf(r->arena, "curves[%d]", r->item);
+  return true;
 }
 
 static bool read_unit(reader *r, const json_t *unit) {
@@ -133,40 +190,61 @@ static bool read_unit(reader *r, const json_t *unit) {
 
 static void release(void *root) { json_decref(root); }
 
+/* The list that r->list names; NULL with a message. */
+static const json_t *open_list(reader *r, const char *bytes, size_t size) {
+  json_error_t error;
+  json_t *root = json_loadb(bytes, size, 0, &error);
+  if (!root) {
+    lam_place place = r->place;
+    place.line = error.line > 0 ? error.line : 0;
+    lam_text text = {.arena = r->arena}; /* in one line */
+    lam_text_quoted(&text, error.text);
+    lam_error_add(r->errors, place, NULL, "is not valid JSON: %s", text.data);
+    return NULL;
+  }
+  lam_arena_defer(r->arena, release, root);
+  const json_t *list = json_object_get(root, r->list);
+  if (!json_array_size(list)) {
+    lam_error_add(r->errors, r->place, NULL, "has no %s; expected a map with unit and %s", r->list, r->list);
+    return NULL;
+  }
+  return read_unit(r, json_object_get(root, "unit")) ? list : NULL;
+}
+
 static bool read_surfaces(lam_arena *arena, const char *bytes, size_t size, lam_place place, lam_errors *errors,
                           lam_spline_list *surfaces) {
-  json_error_t error;
-  reader r = {.arena = arena, .place = place, .errors = errors};
-  json_t *root = json_loadb(bytes, size, 0, &error);
+  reader r = {.arena = arena, .place = place, .errors = errors, .list = "surfaces"};
   *surfaces = (lam_spline_list){0};
-  if (!root) {
-    r.place.line = error.line > 0 ? error.line : 0;
-    lam_text text = {.arena = arena}; /* in one line */
-    lam_text_quoted(&text, error.text);
-    lam_error_add(errors, r.place, NULL, "is not valid JSON: %s", text.data);
-    return false;
-  }
-  lam_arena_defer(arena, release, root);
-  const json_t *list = json_object_get(root, "surfaces");
-  if (!json_array_size(list)) {
-    lam_error_add(errors, place, NULL, "has no surfaces; expected a map with unit and surfaces");
-    return false;
-  }
-  if (!read_unit(&r, json_object_get(root, "unit"))) return false;
-  for (; r.surface < (int)json_array_size(list); r.surface++) {
+  const json_t *list = open_list(&r, bytes, size);
+  for (; r.item < (int)json_array_size(list); r.item++) {
     lam_spline_surface s = {0};
-    if (!read_surface(&r, json_array_get(list, (size_t)r.surface), &s)) return false;
-    lam_spline_append(arena, surfaces, &s);
+    if (!read_surface(&r, json_array_get(list, (size_t)r.item), &s)) return false;
+    lam_spline_append(arena, surfaces, &s, NULL);
   }
-  return true;
+  return list != NULL;
+}
+
+static bool read_curves(lam_arena *arena, const char *bytes, size_t size, lam_place place, lam_errors *errors,
+                        lam_curve_list *curves) {
+  reader r = {.arena = arena, .place = place, .errors = errors, .list = "curves"};
+  *curves = (lam_curve_list){0};
+  const json_t *list = open_list(&r, bytes, size);
+  for (; r.item < (int)json_array_size(list); r.item++) {
+    lam_named_curve c = {0};
+    if (!read_curve(&r, json_array_get(list, (size_t)r.item), &c)) return false;
+    lam_curve_append(arena, curves, c.name, c.family, c.spline);
+  }
+  return list != NULL;
 }
 
 const lam_format lam_format_surface = {
     .name = "surface",
-    .doc = "The control nets of the smooth surfaces (degrees, knots, points, weights) as JSON, in meters.",
+    .doc = "The smooth surfaces, and the axes of lamellas or the lines of the net as curves (degrees, knots, points, "
+           "weights), as JSON, in meters.",
     .ending = "json",
     .count = count,
     .path = path,
     .write = write,
     .read_surfaces = read_surfaces,
+    .read_curves = read_curves,
 };

@@ -67,5 +67,6 @@ bool lam_bench_thesis(lam_bench *bench);      /* the two methods side by side */
 void lam_bench_developable(lam_bench *bench); /* Newton's method against the two algorithms of Li & Deng */
 bool lam_bench_factor(lam_bench *bench);      /* an iteration against CHOLMOD on the same matrix; hard meshes */
 bool lam_bench_surfaces(lam_bench *bench);    /* least area: three methods from one start */
+bool lam_bench_quads(lam_bench *bench);       /* asymptotic patches */
 
 #endif

@@ -109,9 +109,15 @@ static bool load_triangles(void *context, lam_arena *arena, const char *path, la
 }
 
 static bool load_surface(void *context, lam_arena *arena, const char *path, int face, lam_place place,
-                         lam_errors *errors, lam_spline_surface *surface) {
+                         lam_errors *errors, lam_spline_surface *surface, const char **note) {
   (void)place;
-  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface);
+  return lam_input_surface(arena, beside(context, arena, path), face, errors, surface, note);
+}
+
+static bool load_curves(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors,
+                        int *count, const lam_named_curve **curves) {
+  (void)place;
+  return lam_input_curves(arena, beside(context, arena, path), errors, count, curves);
 }
 
 /* Builds another design as far as its net. */
@@ -137,8 +143,12 @@ static bool load_net(void *context, lam_arena *arena, const char *name, lam_plac
   if (!lam_design_parse(arena, bytes, count, files.design, NULL, 0, errors, &design)) return false;
   lam_references_check(&design, errors);
   design.parts.count = 0;
-  lam_loader loader = {
-      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
+  lam_loader loader = {.mesh = load_mesh,
+                       .triangles = load_triangles,
+                       .context = &files,
+                       .net = load_net,
+                       .surface = load_surface,
+                       .curves = load_curves};
   if (errors->count > before || !lam_design_build(arena, &design, &loader, NULL, errors, &model)) return false;
   if (!model.net)
     lam_error_add(errors, place, "net.from.design", "%s has no net", files.design);
@@ -227,8 +237,12 @@ static int build(lam_arena *arena, int argc, char **argv) {
   if (errors.count == 0) lam_references_check(design, &errors);
   if (errors.count) return lam_complain(&errors);
   source_files files = {.design = given.path};
-  lam_loader loader = {
-      .mesh = load_mesh, .triangles = load_triangles, .context = &files, .net = load_net, .surface = load_surface};
+  lam_loader loader = {.mesh = load_mesh,
+                       .triangles = load_triangles,
+                       .context = &files,
+                       .net = load_net,
+                       .surface = load_surface,
+                       .curves = load_curves};
   lam_progress progress = lam_terminal_progress(arena, given.quiet);
   lam_model *model = LAM_NEW(arena, lam_model, 1);
   if (!lam_design_build(arena, design, &loader, &progress, &errors, model)) {

@@ -32,14 +32,17 @@ bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors,
   return format && format->read_triangles(arena, bytes, count, (lam_place){.file = path}, errors, mesh);
 }
 
-bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors *errors, lam_spline_surface *surface) {
+static const char spline_endings[] = ".step, .stp, .igs, .iges, .json or .obj";
+
+bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors *errors, lam_spline_surface *surface,
+                       const char **note) {
   lam_place place = {.file = path};
   const lam_format *format = lam_format_for(path);
   char *bytes;
   size_t count;
   lam_spline_list read;
   if (!format || !format->read_surfaces) {
-    lam_error_add(errors, place, NULL, "not a file of surfaces; expected .step, .stp, .igs, .iges or .json");
+    lam_error_add(errors, place, NULL, "not a file of surfaces; expected %s", spline_endings);
     return false;
   }
   if (lam_file_read(arena, path, largest_mesh_file, errors, &bytes, &count) != LAM_OK) return false;
@@ -50,5 +53,24 @@ bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors 
     return false;
   }
   *surface = read.items[face - 1];
+  *note = read.notes[face - 1];
+  return true;
+}
+
+bool lam_input_curves(lam_arena *arena, const char *path, lam_errors *errors, int *count,
+                      const lam_named_curve **curves) {
+  lam_place place = {.file = path};
+  const lam_format *format = lam_format_for(path);
+  char *bytes;
+  size_t size;
+  lam_curve_list read;
+  if (!format || !format->read_curves) {
+    lam_error_add(errors, place, NULL, "not a file of curves; expected %s", spline_endings);
+    return false;
+  }
+  if (lam_file_read(arena, path, largest_mesh_file, errors, &bytes, &size) != LAM_OK) return false;
+  if (!format->read_curves(arena, bytes, size, place, errors, &read)) return false;
+  *count = read.count;
+  *curves = read.items;
   return true;
 }

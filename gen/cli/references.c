@@ -3,7 +3,7 @@
 #include "cli/templates.h"
 #include "net/kind.h"
 #include "net/map.h"
-#include "surf/surface.h"
+#include "surf/sides_keys.h"
 
 #include <string.h>
 #include <unistd.h>
@@ -33,8 +33,14 @@ static void check_surface(const lam_design *design, lam_errors *errors) {
     lam_spline_surface *surface = LAM_NEW(errors->arena, lam_spline_surface, 1);
     if (!check_file(design, source->file, row->place, "surface.file", errors)) return;
     const char *path = beside(design, source->file, errors->arena);
-    if (!lam_input_surface(errors->arena, path, source->face, errors, surface)) return;
+    if (!lam_input_surface(errors->arena, path, source->face, errors, surface, &source->note)) return;
     source->surface = surface;
+  }
+  lam_sides_keys *sides = kind->sides ? kind->sides(row->params) : NULL;
+  if (sides && sides->file) {
+    if (!check_file(design, sides->file, row->place, "surface.file", errors)) return;
+    const char *path = beside(design, sides->file, errors->arena);
+    if (!lam_input_curves(errors->arena, path, errors, &sides->read_count, &sides->read)) return;
   }
   lam_surface_make(errors->arena, row, errors);
 }

@@ -48,6 +48,13 @@ typedef struct lam_spline_surface {
   const double *weights;  /* positive, in the order of points; NULL: all 1 */
 } lam_spline_surface;
 
+/* A curve for CAD programs: the axis of a lamella, or a line of the net. */
+typedef struct lam_named_curve {
+  const char *name; /* unique among the curves and file-name safe, for instance "A07" */
+  int family;       /* 0, 1, or -1 */
+  lam_spline_curve spline;
+} lam_named_curve;
+
 /* ---- materials ---- */
 typedef struct lam_material {
   const char *name, *doc;
@@ -210,6 +217,8 @@ typedef struct lam_map {
   const double *values;    /* not finite: undefined there */
   const int (*edges)[2];   /* vertices of the edges, when the values are on edges */
   const lam_vec3 *normals; /* unit normals of the net's vertices */
+  const lam_vec2 *layout;  /* the net's vertices in the plane that it is compared with; NULL: none */
+  double range[2];         /* of the colors, when several maps share them; 0, 0: that of the summary */
 } lam_map;
 
 /* ---- prints ---- */
@@ -246,6 +255,8 @@ typedef struct lam_model {
   const lam_vec3 *const *frames; /* positions of the net's vertices */
   int surface_count;             /* smooth surfaces that are splines */
   const lam_spline_surface *surfaces;
+  int curve_count; /* axes of lamellas; without them, lines of the net */
+  const lam_named_curve *curves;
   int part_count;
   const lam_part *parts;
   int record_kind_count; /* per part kind with records: its columns and OpenSCAD settings */

@@ -110,10 +110,17 @@ static int by_start(const void *a, const void *b) {
   return (s->min[0] > t->min[0]) - (s->min[0] < t->min[0]);
 }
 
-static int make_shadows(lam_arena *arena, const lam_trimesh *mesh, lam_vec3 origin, shadow **shadows) {
+/* Of the triangles that lie over or under the box from low to high. */
+static int make_shadows(lam_arena *arena, const lam_trimesh *mesh, lam_vec3 origin, lam_vec3 low, lam_vec3 high,
+                        shadow **shadows) {
   int count = 0;
   *shadows = LAM_NEW(arena, shadow, mesh->triangle_count);
-  for (int i = 0; i < mesh->triangle_count; i++) count += make_shadow(mesh, i, origin, &(*shadows)[count]);
+  for (int i = 0; i < mesh->triangle_count; i++) {
+    shadow *s = &(*shadows)[count];
+    if (!make_shadow(mesh, i, origin, s)) continue;
+    bool beside = s->max[0] < low.x || s->min[0] > high.x || s->max[1] < low.y || s->min[1] > high.y;
+    count += !beside;
+  }
   qsort(*shadows, (size_t)count, sizeof **shadows, by_start);
   return count;
 }
@@ -150,7 +157,13 @@ lam_status lam_prism_volume(const lam_trimesh *a, const lam_trimesh *b, double *
                                      fmax(min[0].z, min[1].z) + fmin(max[0].z, max[1].z)),
                               0.5);
   shadow *shadows[2];
-  int count_a = make_shadows(arena, a, origin, &shadows[0]), count_b = make_shadows(arena, b, origin, &shadows[1]);
+  lam_vec3 low[2], high[2]; /* seen from the origin */
+  for (int k = 0; k < 2; k++) {
+    low[k] = lam_sub(min[k], origin);
+    high[k] = lam_sub(max[k], origin);
+  }
+  int count_a = make_shadows(arena, a, origin, low[1], high[1], &shadows[0]);
+  int count_b = make_shadows(arena, b, origin, low[0], high[0], &shadows[1]);
   *volume = sum_pairs(shadows[0], count_a, shadows[1], count_b);
   lam_arena_free(arena);
   return LAM_OK;

@@ -288,23 +288,31 @@ double prism_volume(const Soup &a, const Soup &b) {
   return volume;
 }
 
-/* Corefinement gives the exact boolean intersection, rounded at the end. It refuses where the result would not be a
- * manifold and where a surface cuts itself: the sum over prisms answers there. */
-double meeting_volume(const Component &a, const Component &b) {
-  double most = std::min(a.volume, b.volume);
+/* The exact boolean intersection, rounded at the end; negative where corefinement refuses: where the result would not
+ * be a manifold and where a surface cuts itself. */
+double corefined_volume(const Component &a, const Component &b) {
   try {
     Mesh first = surface_of(a.soup), second = surface_of(b.soup), common;
     if (PMP::corefine_and_compute_intersection(first, second, common,
-                                               CGAL::parameters::throw_on_self_intersection(true))) {
-      double volume = volume_of(common);
-      if (volume >= 0 && volume <= most * (1 + 1e-9)) return volume;
-    }
+                                               CGAL::parameters::throw_on_self_intersection(true)))
+      return volume_of(common);
   } catch (const std::bad_alloc &) {
     throw;
   } catch (const std::exception &) {
   }
-  double volume = prism_volume(a.soup, b.soup);
-  return std::min(std::max(volume, 0.0), most);
+  return -1;
+}
+
+/* The sum over prisms answers where corefinement does not, and for a large mesh against a small one, of which
+ * corefinement would copy the large one for every pair. */
+double meeting_volume(const Component &a, const Component &b) {
+  const double most = std::min(a.volume, b.volume);
+  const auto counts = std::minmax({a.soup.triangles.size(), b.soup.triangles.size()});
+  if (counts.second < 5000 || counts.second < 16 * counts.first) {
+    double volume = corefined_volume(a, b);
+    if (volume >= 0 && volume <= most * (1 + 1e-9)) return volume;
+  }
+  return std::min(std::max(prism_volume(a.soup, b.soup), 0.0), most);
 }
 
 double common_volume(const Component &a, const Component &b) {

@@ -10,6 +10,7 @@
 #include "net/start.h"
 #include "net/trace.h"
 #include "surf/place.h"
+#include "surf/sides_keys.h"
 #include "surf/texture.h"
 
 #include <math.h>
@@ -30,6 +31,7 @@ typedef struct pipeline {
   lam_measuring measuring; /* of the net */
   lam_vec3 *normals;
   lam_siting placed; /* of the surface */
+  int sampled;       /* vertices of the net as it was sampled */
   int stage_count;
   lam_stage stages[4]; /* surface, net, texture, sheets; parts bring their own */
   double since;
@@ -201,7 +203,9 @@ static bool make_net(pipeline *p) {
   lam_mesh mesh;
   lam_place place = kind ? design->net.place : design->surface.place;
   p->net = LAM_NEW(p->arena, lam_net, 1);
-  if (!initial_mesh(p, kind, common, &mesh) || !refine(p, &mesh, common, place)) return false;
+  bool made = initial_mesh(p, kind, common, &mesh);
+  if (made) p->sampled = mesh.vertex_count;
+  if (!made || !refine(p, &mesh, common, place)) return false;
   if (kind) {
     if (common->noise > 0)
       lam_mesh_perturb(&p->net->mesh, common->noise * lam_net_mean_edge(p->net, p->net->mesh.vertices), common->seed);
@@ -232,10 +236,16 @@ static bool make_surface(pipeline *p) {
   if (kind->reads_file && p->loader && p->loader->surface) {
     lam_surface_source *source = row->params;
     lam_spline_surface *surface = LAM_NEW(p->arena, lam_spline_surface, 1);
-    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface))
+    if (!p->loader->surface(p->loader->context, p->arena, source->file, source->face, row->place, p->errors, surface,
+                            &source->note))
       return false;
     source->surface = surface;
   }
+  lam_sides_keys *sides = kind->sides ? kind->sides(row->params) : NULL;
+  if (sides && sides->file && p->loader && p->loader->curves &&
+      !p->loader->curves(p->loader->context, p->arena, sides->file, row->place, p->errors, &sides->read_count,
+                         &sides->read))
+    return false;
   p->surface = lam_surface_make(p->arena, row, p->errors);
   return p->errors->count == before;
 }
@@ -261,6 +271,17 @@ static void keep_spline(pipeline *p, lam_workshop *workshop) {
   lam_workshop_surface(workshop, to);
 }
 
+/* The lines of the net as curves, where no part has given axes. They are named as lamellas would be. */
+static void keep_lines(const pipeline *p, lam_workshop *workshop) {
+  int numbers[2] = {0};
+  if (!p->net || !p->design->net.head || workshop->curve_count) return;
+  for (int i = 0; i < p->net->polyline_count; i++) {
+    const lam_polyline *line = &p->net->polylines[i];
+    lam_workshop_curve(workshop, lam_arena_printf(p->arena, "%c%02d", 'A' + line->family, ++numbers[line->family]),
+                       line);
+  }
+}
+
 /* ---- prints ---- */
 
 static bool make_print(pipeline *p, const lam_workshop *workshop) {
@@ -277,7 +298,7 @@ static bool make_print(pipeline *p, const lam_workshop *workshop) {
   for (int i = 0; i < print->count; i++) {
     const lam_printed *sheet = &print->sheets[i];
     if (strchr(sheet->name, '-')) continue; /* the same print, laid flat */
-    lam_stage_measure(p->arena, stage, lam_arena_printf(p->arena, "stretch_%s", sheet->name), "", sheet->max_stretch,
+    lam_stage_measure(p->arena, stage, lam_arena_printf(p->arena, "distortion_%s", sheet->name), "", sheet->max_stretch,
                       sheet->mean_stretch, sheet->mesh.triangle_count);
   }
   p->model->print = print;
@@ -287,6 +308,24 @@ static bool make_print(pipeline *p, const lam_workshop *workshop) {
 
 /* ---- color maps ---- */
 
+/* Lets measures see the surface when the vertices are where they were sampled, to a billionth of the net's size. */
+static void relate_to_surface(pipeline *p) {
+  const lam_vec2 *at = p->placed.parameters;
+  const lam_mesh *mesh = &p->net->mesh;
+  if (!at || p->sampled != mesh->vertex_count) return;
+  lam_vec3 low, high;
+  lam_points_bounds(mesh->vertices, mesh->vertex_count, &low, &high);
+  for (int v = 0; v < mesh->vertex_count; v++) {
+    lam_jet jet;
+    lam_surface_eval(&p->surface, at[v].x, at[v].y, &jet);
+    if (!(lam_distance(lam_siting_apply(&p->placed, jet.x), mesh->vertices[v]) <= 1e-9 * lam_distance(low, high)))
+      return;
+  }
+  p->measuring.surface = &p->surface;
+  p->measuring.parameters = at;
+  p->measuring.surface_scale = p->placed.scale;
+}
+
 static bool make_maps(pipeline *p) {
   const lam_list *plots = &p->design->plots;
   int before = p->errors->count;
@@ -295,12 +334,10 @@ static bool make_maps(pipeline *p) {
   if (plots->count && !p->net)
     lam_error_add(p->errors, place, "plots", "there is no net to plot; expected a surface or a net");
   if (p->errors->count > before) return false;
-  lam_map *maps = LAM_NEW(p->arena, lam_map, plots->count);
   if (!p->measuring.net && plots->count) p->measuring = lam_measuring_of(p->arena, p->net, p->net->mesh.vertices);
-  for (int i = 0; i < plots->count; i++)
-    maps[i] = lam_net_map(&p->measuring, lam_measure_find(((const char *const *)plots->items)[i]));
+  if (plots->count) relate_to_surface(p);
   p->model->map_count = plots->count;
-  p->model->maps = maps;
+  if (plots->count) p->model->maps = lam_net_maps(&p->measuring, plots);
   return true;
 }
 
@@ -395,8 +432,11 @@ bool lam_design_build(lam_arena *arena, const lam_design *design, const lam_load
       (lam_workshop){.arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
   keep_spline(&p, workshop);
   if (!make_print(&p, workshop) || !make_parts(&p, workshop)) return false;
+  keep_lines(&p, workshop);
   model->surface_count = workshop->surface_count;
   model->surfaces = workshop->surfaces;
+  model->curve_count = workshop->curve_count;
+  model->curves = workshop->curves;
   model->part_count = workshop->part_count;
   model->parts = workshop->parts;
   model->record_kind_count = workshop->record_kind_count;

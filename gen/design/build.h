@@ -15,9 +15,12 @@ typedef struct lam_loader {
   void *context;
   /* The finished net of another design, by its name or file. May be NULL. */
   bool (*net)(void *context, lam_arena *arena, const char *design, lam_place place, lam_errors *errors, lam_mesh *mesh);
-  /* Surface number `face` (from 1) of a file. May be NULL. */
+  /* Surface number `face` (from 1) of a file; note says what of it is not read, NULL: nothing. May be NULL. */
   bool (*surface)(void *context, lam_arena *arena, const char *path, int face, lam_place place, lam_errors *errors,
-                  lam_spline_surface *surface);
+                  lam_spline_surface *surface, const char **note);
+  /* All curves of a file. May be NULL. */
+  bool (*curves)(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors, int *count,
+                 const lam_named_curve **curves);
 } lam_loader;
 
 /* Builds the model of a parsed design. loader and progress may be NULL. Wrong input adds to errors and returns false; a

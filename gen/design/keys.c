@@ -100,7 +100,8 @@ static const lam_key texture_keys[] = {
      .count = 1,
      .initial = "letter",
      .choices = lam_motif_names,
-     .doc = "What is printed: the letter B on squared paper, or a checkerboard."},
+     .doc = "What is printed: the letter B on squared paper, a checkerboard, or, in the colors of the plots, the "
+            "distortion of the print itself: the ratio of its singular values, from 1 to the largest."},
     {.name = "layout",
      .type = LAM_KEY_CHOICE,
      .offset = IN_TEXTURE(layout),

@@ -259,6 +259,16 @@ static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
   }
 }
 
+/* One curve for each lamella, also when it is a pair of sheets. */
+static void add_axes(lam_workshop *shop, const lam_lamella_grid *grid) {
+  for (int i = 0; i < grid->strip_count; i++) {
+    const lam_sheet_strip *strip = &grid->strips[i];
+    if (i && strip[-1].group == strip->group) continue;
+    lam_workshop_curve(shop, lam_arena_printf(shop->arena, "%c%02d", 'A' + strip->family, strip->number),
+                       &grid->axes[strip->group]);
+  }
+}
+
 static void make(lam_workshop *shop, const void *params, lam_place place) {
   const lam_lamella_keys *k = params;
   lam_lamella_grid *grid = LAM_NEW(shop->arena, lam_lamella_grid, 1);
@@ -277,6 +287,7 @@ static void make(lam_workshop *shop, const void *params, lam_place place) {
     measures[i] = lam_strip_measure(shop->arena, grid, &grid->strips[i]);
     add_part(shop, grid, &grid->strips[i], class[i], record, &measures[i]);
   }
+  add_axes(shop, grid);
   shop->lamella_grid = grid;
   lam_lamella_flats(shop);
   add_crossings(shop, grid);

@@ -50,6 +50,7 @@ typedef struct lam_lamella_grid {
   double height, thickness, pair, clearance;
   int strip_count;
   lam_sheet_strip *strips;
+  lam_polyline *axes; /* per lamella (strips[].group): the vertices of the net from its first to its last */
   int node_count;
   lam_grid_node *nodes;
   const lam_material *material;

@@ -267,6 +267,12 @@ static bool wants(const lam_lamella_keys *keys, int family) {
   return false;
 }
 
+/* The part of a polyline that a lamella follows, with the vertices of the hubs that it ends short of. */
+static lam_polyline axis_of(const lamella *a) {
+  int first = a->first - a->hub[0], last = a->last + a->hub[1];
+  return (lam_polyline){a->line->family, a->line->closed, last - first + 1, a->line->vertices + first};
+}
+
 bool lam_lamella_layout(lam_workshop *shop, const lam_lamella_keys *keys, lam_place place, int part,
                         lam_lamella_grid *grid) {
   layout l = {shop, keys, place, grid, keys->pair > 0 ? 2 : 1, 0, NULL, NULL};
@@ -284,6 +290,8 @@ bool lam_lamella_layout(lam_workshop *shop, const lam_lamella_keys *keys, lam_pl
   if (!fill_nodes(&l)) return false;
   grid->strip_count = l.lamella_count * l.sheets;
   grid->strips = LAM_NEW(shop->arena, lam_sheet_strip, grid->strip_count);
+  grid->axes = LAM_NEW(shop->arena, lam_polyline, l.lamella_count);
+  for (int i = 0; i < l.lamella_count; i++) grid->axes[i] = axis_of(&l.lamellas[i]);
   for (int i = 0; i < l.lamella_count; i++)
     for (int k = 0; k < l.sheets; k++) {
       const lamella *a = &l.lamellas[i];

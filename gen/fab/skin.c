@@ -20,6 +20,7 @@ typedef struct skin {
   const skin_keys *keys;
   int count;
   lam_spline_surface *surfaces;
+  bool fitted; /* all edges are asymptotic curves */
   lam_stage *stage;
 } skin;
 
@@ -39,6 +40,32 @@ static void keep_patches(skin *s, int count, const lam_asymptotic_patch *patches
   }
 }
 
+/* What is not as promised. */
+static void tell(skin *s, const lam_skin_net *cells, const lam_skin_fit *fit) {
+  lam_arena *arena = s->shop->arena;
+  int folded = cells->cell_count - fit->made, left_out = cells->irregular + folded;
+  lam_stage_measure(arena, s->stage, "cells_left_out", "", left_out, left_out, cells->cell_count + cells->irregular);
+  lam_stage_measure(arena, s->stage, "star_tilt", "deg", fit->tilt * 180 / 3.14159265358979323846, NAN,
+                    s->shop->net->mesh.vertex_count);
+  if (cells->irregular)
+    lam_stage_note(arena, s->stage, "%d cells left out: no two lines cross at one of their corners", cells->irregular);
+  if (folded) lam_stage_note(arena, s->stage, "%d cells left out: their patches fold over along an edge", folded);
+  if (cells->uncovered)
+    lam_stage_note(arena, s->stage, "%d faces of the net lie in no cell of %d x %d faces", cells->uncovered,
+                   cells->every, cells->every);
+  if (!fit->converged)
+    lam_stage_note(
+        arena, s->stage,
+        "no asymptotic curves through all vertices were found: after %d steps edges miss their ends by up to "
+        "%.2g m, and are bent there to meet them",
+        fit->steps, fit->missed);
+  if (fit->contradictions)
+    lam_stage_note(arena, s->stage,
+                   "%d edges of cells turn the normals against their family: the net is no asymptotic net of a surface "
+                   "with K < 0 there",
+                   fit->contradictions);
+}
+
 static bool fill_net(skin *s, lam_place place) {
   lam_workshop *shop = s->shop;
   lam_skin_net cells = lam_skin_net_make(shop->arena, shop->net, s->keys->every);
@@ -49,30 +76,20 @@ static bool fill_net(skin *s, lam_place place) {
     return false;
   }
   lam_asymptotic_patch *patches = LAM_NEW(shop->arena, lam_asymptotic_patch, cells.cell_count);
-  lam_errors reasons = {.arena = shop->arena};
-  int made =
-      lam_asymptotic_skin_fill(shop->arena, cells.vertices, cells.cell_count, cells.cells, place, &reasons, patches);
-  if (made == 0) {
-    lam_error_add(shop->errors, place, "kind", "no cell can be filled; the first one because %s",
-                  reasons.first ? reasons.first->text : "it is degenerate");
+  lam_skin_fit fit = lam_asymptotic_skin_fill(shop->arena, shop->net->mesh.vertex_count, cells.vertices,
+                                              cells.cell_count, cells.cells, patches);
+  if (fit.made == 0) {
+    lam_error_add(shop->errors, place, "kind",
+                  "all patches fold over: the edges miss their ends by up to %.2g m; expected an asymptotic net, whose "
+                  "lines twist",
+                  fit.missed);
     return false;
   }
+  s->fitted = fit.converged;
   keep_patches(s, cells.cell_count, patches);
-  int folded = cells.cell_count - made;
-  lam_stage_measure(shop->arena, s->stage, "cells_left_out", "", cells.irregular + folded, cells.irregular + folded,
-                    cells.cell_count + cells.irregular);
-  if (cells.irregular)
-    lam_stage_note(shop->arena, s->stage, "%d cells left out: no two lines cross at one of their corners",
-                   cells.irregular);
-  if (folded)
-    lam_stage_note(shop->arena, s->stage, "%d cells left out, the first one because %s", folded,
-                   reasons.first ? reasons.first->text : "it is degenerate");
-  if (cells.uncovered)
-    lam_stage_note(shop->arena, s->stage, "%d faces of the net lie in no cell of %d x %d faces", cells.uncovered,
-                   cells.every, cells.every);
-  double distance = lam_skin_distance(shop->net, &cells, patches);
+  tell(s, &cells, &fit);
   if (cells.every > 1)
-    lam_stage_measure(shop->arena, s->stage, "net_distance", "m", distance, NAN,
+    lam_stage_measure(shop->arena, s->stage, "net_distance", "m", lam_skin_distance(shop->net, &cells, patches), NAN,
                       4L * (cells.every - 1) * cells.cell_count);
   return true;
 }
@@ -126,7 +143,7 @@ static void add_parts(skin *s, const lam_skin_mesh *mesh) {
   lam_stage_measure(shop->arena, s->stage, "piece_mass", "kg", heaviest, mass / count, count);
   lam_stage_measure(shop->arena, s->stage, "piece_mass_sum", "kg", mass, mass, count);
   lam_stage_measure(shop->arena, s->stage, "unsound_pieces", "", (double)unsound, (double)unsound / count, count);
-  s->stage->converged = unsound == 0;
+  s->stage->converged = unsound == 0 && s->fitted;
 }
 
 /* ---- the report ---- */
@@ -142,11 +159,8 @@ static void report(skin *s, const lam_skin_mesh *mesh) {
   lam_stage_measure(arena, s->stage, "edge_normal_curvature", "of sqrt(-K)", f.slant, f.slant_sum / (double)f.sides,
                     f.sides);
   if (f.exact < f.sides)
-    lam_stage_note(
-        arena, s->stage,
-        "%ld of %ld sides of patches are asymptotic curves to 1e-8; the others, nearly straight or with ends "
-        "that allow none, are so at their ends",
-        f.exact, f.sides);
+    lam_stage_note(arena, s->stage, "%ld of %ld sides of patches are asymptotic curves to 1e-8", f.exact, f.sides);
+  if (f.joints) lam_stage_measure(arena, s->stage, "edge_kink", "rad", f.kink, NAN, f.joints);
   lam_stage_measure(arena, s->stage, "thin_plate_energy", "m^2", f.largest_energy, f.energy / s->count, s->count);
   lam_stage_measure(arena, s->stage, "thin_plate_energy_sum", "m^2", f.energy, f.energy, s->count);
   lam_stage_measure_add(arena, s->stage,
@@ -158,7 +172,7 @@ static void report(skin *s, const lam_skin_mesh *mesh) {
 }
 
 static void make(lam_workshop *shop, const void *params, lam_place place) {
-  skin s = {.shop = shop, .keys = params, .stage = lam_workshop_stage(shop, "skin")};
+  skin s = {.shop = shop, .keys = params, .stage = lam_workshop_stage(shop, "skin"), .fitted = true};
   if (s.keys->from == FROM_NET ? !fill_net(&s, place) : !take_surfaces(&s, place)) return;
   lam_skin_mesh mesh = lam_skin_mesh_make(shop->arena, s.count, s.surfaces, s.keys->subdivisions);
   if (s.keys->from == FROM_NET)
@@ -201,15 +215,16 @@ const lam_part_kind lam_part_skin = {
         {.name = "skin",
          .title = "Smooth skin over an asymptotic net",
          .doc =
-             "One smooth patch over every cell of an asymptotic net, through its vertices: neighboring patches share "
-             "their edge and the tangent planes along it, whatever the net looks like. The edges are asymptotic "
-             "curves of the skin, so that lamellas follow them upright; edges that are nearly straight are so at "
-             "their ends and hardly differ between, and the report says how much. The patches go into "
-             "surface.json, STEP and IGES as they are, and into all others as a thin closed solid. Tangents, "
-             "curvatures and torsion at the vertices are those of the net's lines: the finer the net between "
-             "the edges of the skin (`every`), the better they are known. Cells at irregular vertices, where "
-             "no two lines cross, are left out.",
-         .source = "thesis chapter 2",
+             "One smooth patch over every cell of an asymptotic net, through its vertices. Neighboring patches share "
+             "their edge and the tangent planes along it, and the edges are asymptotic curves of the skin, so that "
+             "lamellas follow them upright; curves run on smoothly through the vertices. All edges are found together, "
+             "from one vector along the normal at every vertex (Lelieuvre's formula). Between the edges of the skin "
+             "the net may be finer (`every`): the skin passes by those vertices closely. A net of one face per patch "
+             "is met exactly, but is itself only near to smooth asymptotic lines, for which its edges have to bend "
+             "more. Cells at irregular vertices, where no two lines cross, are left out. The patches go into "
+             "surface.json, STEP and IGES as they are, and into all others as a thin closed solid.",
+         .source = "thesis chapter 2; Huhnen-Venedey & Roerig, Discretization of asymptotic line parametrizations "
+                   "using hyperboloid surface patches",
          .keys = keys,
          .params_size = sizeof(skin_keys)},
     .make = make};

@@ -10,18 +10,18 @@
 typedef struct lam_skin_net {
   int every; /* edges of the net along a side of a cell */
   int cell_count;
-  lam_skin_cell *cells; /* vertices are those of the net */
-  int irregular;        /* cells left out because a corner has no two lines through it */
-  int uncovered;        /* faces of the net in no cell, left out or not */
-  lam_skin_vertex
-      *vertices;      /* per vertex of the net; its tangents belong to `every` edges. Zero where no two lines cross */
+  lam_skin_cell *cells;          /* vertices are those of the net */
+  int irregular;                 /* cells left out because a corner has no two lines through it */
+  int uncovered;                 /* faces of the net in no cell, left out or not */
+  lam_conormal_vertex *vertices; /* per vertex of the net; slopes belong to `every` edges. Zero where no two lines
+                                    cross */
   int (*sides)[4][2]; /* per cell and side r1, r2, r3, r4: the first vertex and the entry of net->ring (counted
                          from ring_start) in which the side leaves it */
 } lam_skin_net;
 
-/* Cells of every x every faces. Tangents, curvatures and torsion are those of polynomials of degree 4 through five
- * vertices in sequence along the lines of the net, where there are so many, shifted inward at its border. Owned by
- * arena. */
+/* Cells of every x every faces. Conormals are the discrete Lelieuvre normals of the net; their slopes are those of
+ * polynomials of degree 4 through five vertices in sequence along its lines, where there are so many, shifted inward at
+ * its border. Owned by arena. */
 lam_skin_net lam_skin_net_make(lam_arena *arena, const lam_net *net, int every);
 /* Walks `steps` edges straight ahead from v, which is left by entry `slot` of its ring; *back is the entry of the
  * vertex reached that leads back. -1: the line ends before. */
@@ -50,6 +50,8 @@ int lam_skin_pieces(lam_arena *arena, const lam_skin_mesh *mesh, int *piece);
 typedef struct lam_skin_facts {
   int seams;                  /* common sides of two patches */
   double gap, jump, jump_sum; /* across them: largest distance, largest angle of the normals, sum of the means */
+  long joints;                /* ends of sides at which another side continues them */
+  double kink;                /* the largest angle there */
   long sides, exact;          /* of patches, and those of them along which |k_n| <= 1e-8 sqrt(-K) */
   double slant, slant_sum; /* largest |k_n| / sqrt(-K) along sides, sum of the means: 0 for asymptotic curves, 1 for the
                               principal lines of a minimal surface */

@@ -68,77 +68,76 @@ static int line_through(const lam_net *net, int v, int axis, int line[LINE], int
   return behind + 1 + ahead;
 }
 
-/* Weights of the first two derivatives at number `at` of the polynomial through count numbers at 0, 1, 2 ...: with
- * L_i(t) = prod (t - j) / (i - j), L_i' = sum_k prod_(j != k) ..., L_i'' = sum_k sum_l prod_(j != k, l) ... */
-static void derivative_weights(int count, int at, double first[LINE], double second[LINE]) {
+/* Weights of the derivative at number `at` of the polynomial through count numbers at 0, 1, 2 ...: with
+ * L_i(t) = prod (t - j) / (i - j), L_i' = sum_k prod_(j != k) ... */
+static void derivative_weights(int count, int at, double weights[LINE]) {
   for (int i = 0; i < count; i++) {
-    first[i] = second[i] = 0;
-    for (int k = 0; k < count; k++)
-      for (int l = 0; l < count; l++) {
-        if (k == i || l == i) continue;
-        double product = 1.0 / (i - k) / (k == l ? 1 : i - l);
-        for (int j = 0; j < count; j++)
-          if (j != i && j != k && j != l) product *= (double)(at - j) / (i - j);
-        *(k == l ? &first[i] : &second[i]) += product;
-      }
-  }
-}
-
-static lam_vec3 across(lam_vec3 t, lam_vec3 other) {
-  return lam_unit(lam_along(other, -lam_dot(other, t) / lam_dot(t, t), t));
-}
-
-/* Tangents and curvatures of one vertex, per edge of the net. */
-static void make_tangents(const lam_net *net, int v, lam_skin_vertex *out) {
-  const lam_vec3 *x = net->mesh.vertices;
-  lam_vec3 second[2];
-  out->point = x[v];
-  for (int d = 0; d < 2; d++) {
-    int line[LINE], at, count = line_through(net, v, d, line, &at);
-    double first[LINE], twice[LINE];
-    derivative_weights(count, at, first, twice);
-    out->tangent[d] = second[d] = lam_v3(0, 0, 0);
+    weights[i] = 0;
     for (int k = 0; k < count; k++) {
-      out->tangent[d] = lam_along(out->tangent[d], first[k], lam_sub(x[line[k]], x[v]));
-      second[d] = lam_along(second[d], twice[k], lam_sub(x[line[k]], x[v]));
+      if (k == i) continue;
+      double product = 1.0 / (i - k);
+      for (int j = 0; j < count; j++)
+        if (j != i && j != k) product *= (double)(at - j) / (i - j);
+      weights[i] += product;
     }
   }
-  for (int d = 0; d < 2; d++) {
-    lam_vec3 t = out->tangent[d];
-    out->curvature[d] = lam_dot(second[d], across(t, out->tangent[1 - d])) / lam_dot(t, t);
-  }
 }
 
-/* Along the curves of both families N' = -tau |r'| nu, nu across the curve towards the other tangent and tau that of
- * the u-curve: the mean of both. */
-static double torsion(const lam_net *net, int v, const lam_skin_vertex *vertices, const lam_vec3 *normals) {
-  double sum = 0;
+/* The derivatives of a vector along both lines through a vertex, per edge of the net. */
+static void differentiate(const lam_net *net, int v, const lam_vec3 *values, lam_vec3 out[2]) {
   for (int d = 0; d < 2; d++) {
     int line[LINE], at, count = line_through(net, v, d, line, &at);
-    double first[LINE], twice[LINE];
-    lam_vec3 t = vertices[v].tangent[d], change = lam_v3(0, 0, 0);
+    double first[LINE];
     while (count > 1 && !is_regular(net, line[count - 1])) count--;
     int skip = count > 1 && !is_regular(net, line[0]);
-    derivative_weights(count - skip, at - skip, first, twice);
-    for (int k = skip; k < count; k++) change = lam_along(change, first[k - skip], normals[line[k]]);
-    sum -= lam_dot(change, across(t, vertices[v].tangent[1 - d])) / lam_length(t);
+    derivative_weights(count - skip, at - skip, first);
+    out[d] = lam_v3(0, 0, 0);
+    for (int k = skip; k < count; k++) out[d] = lam_along(out[d], first[k - skip], lam_sub(values[line[k]], values[v]));
   }
-  return sum / 2;
 }
 
-static lam_skin_vertex *make_vertices(lam_arena *arena, const lam_net *net, int every) {
-  int n = net->mesh.vertex_count;
-  lam_skin_vertex *vertices = LAM_NEW(arena, lam_skin_vertex, n);
+/* The discrete Lelieuvre normals: parallel to the normals n of the vertex stars, with |nu_i x nu_j| = |p_j - p_i| for
+ * all edges as well as possible. Relaxed are the logarithms l of their lengths, l_i + l_j = log(|p_j - p_i| / |n_i x
+ * n_j|); alternating parts of l, about which these equations say nothing, do not arise. */
+static lam_vec3 *make_conormals(lam_arena *arena, const lam_net *net) {
+  enum { SWEEPS = 20 };
+  int n = net->mesh.vertex_count, *count = LAM_NEW(arena, int, n);
+  const lam_vec3 *x = net->mesh.vertices;
   lam_vec3 *normals = LAM_NEW(arena, lam_vec3, n);
-  for (int v = 0; v < n; v++) {
-    if (!is_regular(net, v)) continue;
-    make_tangents(net, v, &vertices[v]);
-    normals[v] = lam_unit(lam_cross(vertices[v].tangent[0], vertices[v].tangent[1]));
+  double *size = LAM_NEW(arena, double, n), *wanted = LAM_NEW(arena, double, net->edge_count);
+  double *change = LAM_NEW(arena, double, n);
+  lam_net_normals(net, x, normals);
+  for (int e = 0; e < net->edge_count; e++) {
+    int a = net->edges[e].vertex[0], b = net->edges[e].vertex[1];
+    double turn = lam_length(lam_cross(normals[a], normals[b]));
+    wanted[e] = is_regular(net, a) && is_regular(net, b) && turn > 1e-9 ? log(lam_distance(x[a], x[b]) / turn) : NAN;
+    for (int k = 0; k < 2 && !isnan(wanted[e]); k++) count[net->edges[e].vertex[k]]++;
   }
-  for (int v = 0; v < n; v++)
-    if (is_regular(net, v)) vertices[v].torsion = torsion(net, v, vertices, normals);
-  for (int v = 0; v < n; v++)
-    for (int d = 0; d < 2; d++) vertices[v].tangent[d] = lam_scale(vertices[v].tangent[d], every);
+  for (int sweep = 0; sweep < SWEEPS; sweep++) {
+    for (int v = 0; v < n; v++) change[v] = 0;
+    for (int e = 0; e < net->edge_count; e++) {
+      int a = net->edges[e].vertex[0], b = net->edges[e].vertex[1];
+      if (isnan(wanted[e])) continue;
+      change[a] += (wanted[e] - size[a] - size[b]) / 2 / count[a];
+      change[b] += (wanted[e] - size[a] - size[b]) / 2 / count[b];
+    }
+    for (int v = 0; v < n; v++) size[v] += change[v];
+  }
+  for (int v = 0; v < n; v++) normals[v] = lam_scale(normals[v], exp(size[v]));
+  return normals;
+}
+
+static lam_conormal_vertex *make_vertices(lam_arena *arena, const lam_net *net, int every) {
+  int n = net->mesh.vertex_count;
+  lam_conormal_vertex *vertices = LAM_NEW(arena, lam_conormal_vertex, n);
+  const lam_vec3 *conormals = make_conormals(arena, net);
+  for (int v = 0; v < n; v++) {
+    vertices[v].point = net->mesh.vertices[v];
+    if (!is_regular(net, v)) continue;
+    vertices[v].conormal = conormals[v];
+    differentiate(net, v, conormals, vertices[v].slope);
+    for (int d = 0; d < 2; d++) vertices[v].slope[d] = lam_scale(vertices[v].slope[d], every);
+  }
   return vertices;
 }
 

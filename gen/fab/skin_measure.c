@@ -2,7 +2,7 @@
 #include "fab/skin.h"
 #include "surf/spline_surface.h"
 
-enum { PLACES = 33, SAMPLES = 11 };
+enum { PLACES = 17, SAMPLES = 8 }; /* along a side; inside a patch, in each direction */
 
 /* Point and unit normal at place t of a side of a patch over the unit square. */
 static void side_at(const lam_nurbs *nurbs, int number, double t, lam_vec3 *point, lam_vec3 *normal) {
@@ -46,6 +46,30 @@ static void measure_seams(const lam_skin_mesh *mesh, const lam_nurbs *const *nur
         facts->jump_sum += jump / PLACES;
       }
     }
+}
+
+/* The unit tangent of a side at an end, away from the corner there. */
+static lam_vec3 leaving(const lam_nurbs *nurbs, int number, int end) {
+  lam_jet jet;
+  lam_nurbs_eval(nurbs, number % 2 ? number / 2 : end, number % 2 ? end : number / 2, &jet);
+  return lam_scale(lam_unit(number % 2 ? jet.v : jet.u), end ? -1 : 1);
+}
+
+/* Where a side of a patch ends on another one with a neighbor beyond, that has a side which continues it: the angle
+ * between them. */
+static void measure_kink(const lam_skin_mesh *mesh, const lam_nurbs *const *nurbs, int cell, int side, int end,
+                         lam_skin_facts *facts) {
+  static const struct {
+    int side, end;
+  } crossing[4][2] = {{{1, 0}, {3, 0}}, {{0, 0}, {2, 0}}, {{1, 1}, {3, 1}}, {{0, 1}, {2, 1}}};
+  int cross = crossing[side][end].side, there = crossing[side][end].end, next = mesh->neighbors[cell][cross], other;
+  bool reversed;
+  if (next < 0 || (other = side_of(mesh, nurbs, cell, cross, next, &reversed)) < 0) return;
+  if (reversed) there = 1 - there;
+  lam_vec3 ahead = leaving(nurbs[next], crossing[other][there].side, crossing[other][there].end);
+  lam_vec3 back = leaving(nurbs[cell], side, end);
+  facts->kink = fmax(facts->kink, lam_angle(ahead, lam_scale(back, -1)));
+  facts->joints++;
 }
 
 /* Normal curvature along the sides of a patch against the curvature of the surface. */
@@ -94,6 +118,7 @@ lam_skin_facts lam_skin_measure(lam_arena *arena, const lam_skin_mesh *mesh, con
     measure_inside(nurbs[c], &facts);
   }
   measure_seams(mesh, nurbs, &facts);
+  for (int k = 0; k < 8 * mesh->cell_count; k++) measure_kink(mesh, nurbs, k / 8, k / 2 % 4, k % 2, &facts);
   return facts;
 }
 

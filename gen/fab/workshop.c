@@ -2,6 +2,7 @@
 
 #include "core/mesh.h"
 #include "core/topology.h"
+#include "net/line_curve.h"
 #include <math.h>
 
 #include <stdarg.h>
@@ -36,6 +37,13 @@ void lam_workshop_record_kind(lam_workshop *w, lam_record_kind kind) {
 void lam_workshop_surface(lam_workshop *w, lam_spline_surface surface) {
   w->surfaces = room(w->arena, w->surfaces, w->surface_count, &w->surface_capacity, sizeof surface);
   w->surfaces[w->surface_count++] = surface;
+}
+
+void lam_workshop_curve(lam_workshop *w, const char *name, const lam_polyline *line) {
+  lam_named_curve curve = {name, line->family, lam_polyline_curve(w->arena, w->net->mesh.vertices, line)};
+  if (!curve.spline.count) return;
+  w->curves = room(w->arena, w->curves, w->curve_count, &w->curve_capacity, sizeof curve);
+  w->curves[w->curve_count++] = curve;
 }
 
 int lam_workshop_next_class(const lam_workshop *w) {

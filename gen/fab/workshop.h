@@ -30,6 +30,8 @@ typedef struct lam_workshop {
   const struct lam_lamella_grid *lamella_grid; /* the last one made, or NULL */
   int surface_count, surface_capacity;
   lam_spline_surface *surfaces; /* smooth surfaces, placed: that of the design, then those of skins */
+  int curve_count, curve_capacity;
+  lam_named_curve *curves; /* axes of parts */
 } lam_workshop;
 
 typedef struct lam_part_kind {
@@ -46,6 +48,9 @@ lam_part *lam_workshop_part(lam_workshop *workshop, lam_part part);
 void lam_workshop_crossing(lam_workshop *workshop, lam_crossing crossing);
 void lam_workshop_record_kind(lam_workshop *workshop, lam_record_kind kind);
 void lam_workshop_surface(lam_workshop *workshop, lam_spline_surface surface);
+/* Adds the smooth curve along a line of the net (lam_polyline_curve); nothing when its vertices are all in one place.
+ * name is kept by pointer. */
+void lam_workshop_curve(lam_workshop *workshop, const char *name, const lam_polyline *line);
 lam_stage *lam_workshop_stage(lam_workshop *workshop, const char *name);
 /* The first number of a congruence class that no part has yet. */
 int lam_workshop_next_class(const lam_workshop *workshop);

@@ -1,4 +1,7 @@
 #include "net/map.h"
+#include "net/layout.h"
+
+#include <string.h>
 
 const lam_measure_kind *lam_measure_named(const char *name, bool mapped, lam_place place, const char *key,
                                           lam_errors *errors) {
@@ -32,6 +35,7 @@ lam_map lam_net_map(const lam_measuring *in, const lam_measure_kind *kind) {
   lam_vec3 *normals = LAM_NEW(in->arena, lam_vec3, net->mesh.vertex_count);
   lam_net_normals(net, in->positions, normals);
   map.normals = normals;
+  map.layout = lam_measure_layout(kind, in);
   if (map.on == LAM_MAP_EDGES) {
     int(*edges)[2] = (int(*)[2])lam_arena_alloc(in->arena, (size_t)net->edge_count, sizeof *edges);
     for (int e = 0; e < net->edge_count; e++)
@@ -39,4 +43,29 @@ lam_map lam_net_map(const lam_measuring *in, const lam_measure_kind *kind) {
     map.edges = (const int(*)[2])edges;
   }
   return map;
+}
+
+/* The range of all maps with this scale. */
+static void widen(const lam_map *maps, const char *const *scales, int count, const char *scale, double range[2]) {
+  range[0] = INFINITY, range[1] = -INFINITY;
+  for (int i = 0; i < count; i++) {
+    if (!scales[i] || strcmp(scales[i], scale) != 0) continue;
+    range[0] = fmin(range[0], maps[i].summary.min);
+    range[1] = fmax(range[1], maps[i].summary.max);
+  }
+  if (!(range[0] < range[1])) range[0] = range[1] = 0;
+}
+
+lam_map *lam_net_maps(const lam_measuring *in, const lam_list *names) {
+  int count = names->count;
+  lam_map *maps = LAM_NEW(in->arena, lam_map, count);
+  const char **scales = LAM_NEW(in->arena, const char *, count);
+  for (int i = 0; i < count; i++) {
+    const lam_measure_kind *kind = lam_measure_find(((const char *const *)names->items)[i]);
+    maps[i] = lam_net_map(in, kind);
+    scales[i] = lam_measure_scale(kind);
+  }
+  for (int i = 0; i < count; i++)
+    if (scales[i]) widen(maps, scales, count, scales[i], maps[i].range);
+  return maps;
 }

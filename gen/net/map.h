@@ -14,5 +14,7 @@ void lam_measures_check(const lam_list *names, bool mapped, lam_place place, con
 
 /* The map of a measure on vertices, edges or faces, in in->arena. */
 lam_map lam_net_map(const lam_measuring *in, const lam_measure_kind *kind);
+/* The maps of several measures, count of them; those with the same scale get one range. */
+lam_map *lam_net_maps(const lam_measuring *in, const lam_list *names);
 
 #endif

@@ -1,4 +1,4 @@
-#include "net/measure.h"
+#include "net/layout.h"
 
 #include <assert.h>
 #include <math.h>
@@ -53,7 +53,14 @@
   row(circularity) \
   row(conicality) \
   row(cross_ratio) \
-  row(incircle_contact)
+  row(incircle_contact) \
+  row(surface_gauss_curvature) \
+  row(flattening_distortion) \
+  row(flattening_stretch) \
+  row(flattening_compression) \
+  row(parameter_distortion) \
+  row(parameter_stretch) \
+  row(parameter_compression)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_measure_kind lam_measure_##name;
@@ -122,14 +129,14 @@ static lam_measure run_one(const lam_measure_kind *kind, const lam_measuring *in
 }
 
 lam_measure *lam_net_measure(const lam_measuring *in, const char *const *names, int *count) {
-  *count = lam_measure_count;
-  if (names)
-    for (*count = 0; names[*count];) (*count)++;
+  *count = 0;
+  for (int i = 0; names ? names[i] != NULL : i < lam_measure_count; i++) ++*count;
   lam_measure *out = LAM_NEW(in->arena, lam_measure, *count);
-  for (int i = 0; i < *count; i++) {
+  *count = 0;
+  for (int i = 0; names ? names[i] != NULL : i < lam_measure_count; i++) {
     const lam_measure_kind *kind = names ? lam_measure_find(names[i]) : lam_measures[i];
     assert(kind && "a measure that is not in the list");
-    out[i] = run_one(kind, in);
+    if (names || !lam_measure_is_slow(kind)) out[(*count)++] = run_one(kind, in);
   }
   return out;
 }

@@ -5,6 +5,7 @@
 
 #include "core/solid.h"
 #include "net/net.h"
+#include "surf/surface.h"
 
 #include <math.h>
 
@@ -18,6 +19,9 @@ typedef struct lam_measuring {
   const lam_trimesh *reference_mesh; /* of the tree */
   const double *axis;                /* point and direction of a surface of revolution (6 numbers); NULL: none */
   const lam_vec3 *start;             /* positions that strains are measured against; NULL: none */
+  const lam_surface *surface;        /* that the vertices lie on, at these parameters; NULL: none, or not known */
+  const lam_vec2 *parameters;
+  double surface_scale; /* by which the surface was enlarged */
 } lam_measuring;
 
 /* What a measure has one value on. */
@@ -47,7 +51,8 @@ lam_measure lam_measure_summary(const lam_measure_kind *kind, const double *valu
 
 /* What measures need, with a right angle as the target and no reference. */
 lam_measuring lam_measuring_of(lam_arena *arena, const lam_net *net, const lam_vec3 *positions);
-/* Runs the named measures (NULL-terminated; NULL: all) and returns their summaries; count is the number. */
+/* Runs the named measures (NULL-terminated; NULL: all but the slow ones, see net/layout.h) and returns their summaries;
+ * count is the number. */
 lam_measure *lam_net_measure(const lam_measuring *in, const char *const *names, int *count);
 /* The summary of one measure. */
 lam_measure lam_net_measure_one(lam_arena *arena, const lam_net *net, const lam_vec3 *positions, const char *name);

@@ -8,7 +8,8 @@
 
 /* A plain rectangle of chart coordinates. */
 static bool sample_grid(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2],
-                        const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh) {
+                        const lam_surface_place *placing, lam_place place, lam_errors *errors, lam_mesh *mesh,
+                        lam_vec2 **parameters) {
   double p[2], q[2];
   bool closed[2] = {false, false};
   surface->kind->domain(surface->data, chart, p, q, closed);
@@ -20,10 +21,14 @@ static bool sample_grid(lam_arena *arena, const lam_surface *surface, lam_chart 
     return false;
   }
   *mesh = lam_mesh_grid(arena, n, m, closed[0], closed[1]);
+  lam_vec2 *at = LAM_NEW(arena, lam_vec2, n * m);
   for (int i = 0; i < n; i++)
-    for (int j = 0; j < m; j++)
-      mesh->vertices[i * m + j] =
-          lam_surface_point(surface, chart, 0, p[0] + (p[1] - p[0]) * i / grid[0], q[0] + (q[1] - q[0]) * j / grid[1]);
+    for (int j = 0; j < m; j++) {
+      lam_vec2 *c = &at[i * m + j];
+      *c = (lam_vec2){p[0] + (p[1] - p[0]) * i / grid[0], q[0] + (q[1] - q[0]) * j / grid[1]};
+      mesh->vertices[i * m + j] = lam_surface_point(surface, chart, 0, c->x, c->y);
+    }
+  if (chart == LAM_CHART_NATURAL) *parameters = at;
   return true;
 }
 
@@ -120,7 +125,7 @@ static bool place_mesh(const lam_surface_place *placing, lam_place place, lam_er
   lam_vec3 low, high;
   lam_points_bounds(mesh->vertices, mesh->vertex_count, &low, &high);
   double extent = fmax(high.x - low.x, high.y - low.y);
-  lam_siting done = {{placing->rotate[0], placing->rotate[1], placing->rotate[2]}, 1, 0};
+  lam_siting done = {{placing->rotate[0], placing->rotate[1], placing->rotate[2]}, 1, 0, NULL};
   if (placing->size_given && extent > 0) {
     done.scale = placing->size / extent;
     for (int v = 0; v < mesh->vertex_count; v++) mesh->vertices[v] = lam_scale(mesh->vertices[v], done.scale);
@@ -145,9 +150,12 @@ bool lam_net_start(lam_arena *arena, const lam_surface *surface, lam_chart chart
                   surface->kind->head.name);
     return false;
   }
+  lam_vec2 *parameters = NULL;
   bool sampled = branched ? sample_sectors(arena, surface, chart, grid, hole, placing, place, errors, mesh)
-                          : sample_grid(arena, surface, chart, grid, placing, place, errors, mesh);
-  return sampled && place_mesh(placing, place, errors, mesh, placed);
+                          : sample_grid(arena, surface, chart, grid, placing, place, errors, mesh, &parameters);
+  if (!sampled || !place_mesh(placing, place, errors, mesh, placed)) return false;
+  if (placed) placed->parameters = parameters;
+  return true;
 }
 
 bool lam_net_start_traced(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2], int hole,

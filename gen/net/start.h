@@ -11,6 +11,7 @@ struct lam_trace_options; /* net/trace.h */
 /* What places a surface: x -> scale * turned(x) + (0, 0, lift). */
 typedef struct lam_siting {
   double rotate[3], scale, lift;
+  const lam_vec2 *parameters; /* natural ones of the vertices that were sampled; NULL: in another chart */
 } lam_siting;
 lam_vec3 lam_siting_apply(const lam_siting *placement, lam_vec3 x);
 

@@ -21,17 +21,6 @@ static int by_ends(const void *a, const void *b) {
   return p->side - q->side;
 }
 
-/* A vertex seen after quarter turns. The curve that was along u runs along -v then: it bends to the same side, but
- * torsion is that of the other family. */
-static lam_skin_vertex turned(lam_skin_vertex v, int turns) {
-  for (turns &= 3; turns > 0; turns--) {
-    lam_skin_vertex w = {v.point, {v.tangent[1], lam_scale(v.tangent[0], -1)}, {-v.curvature[1], v.curvature[0]}, 0};
-    w.torsion = -v.torsion;
-    v = w;
-  }
-  return v;
-}
-
 /* The other way round. */
 static void reverse(int count, lam_vec3 *points) {
   for (int j = 0; j < count / 2; j++) {
@@ -41,65 +30,73 @@ static void reverse(int count, lam_vec3 *points) {
   }
 }
 
-/* Every side of every cell in its own direction. Shared ones are computed once, from the vertex with the lower number,
- * so that both patches get the same bits. */
-static lam_conormal_edge (*make_edges(lam_arena *arena, const lam_skin_vertex *vertices, int cell_count,
-                                      const lam_skin_cell *cells))[4] {
+/* Every edge once, from the vertex with the lower number; per cell and side, which one it is. Returns how many. */
+static int list_arcs(lam_arena *arena, int cell_count, const lam_skin_cell *cells, lam_conormal_arc *arcs,
+                     int (*side_arc)[4]) {
   skin_edge *edges = LAM_NEW(arena, skin_edge, 4 * cell_count);
-  lam_conormal_edge(*sides)[4] = lam_arena_alloc(arena, (size_t)cell_count, sizeof *sides);
+  int count = 0;
   for (int k = 0; k < 4 * cell_count; k++) {
     const int *v = cells[k / 4].vertex, *end = side_ends[k % 4];
     int a = v[end[0]], b = v[end[1]];
     edges[k] = (skin_edge){a < b ? a : b, a < b ? b : a, k / 4, k % 4};
   }
   qsort(edges, (size_t)(4 * cell_count), sizeof *edges, by_ends);
-  lam_conormal_edge shared = {0};
   for (int k = 0; k < 4 * cell_count; k++) {
     const skin_edge *e = &edges[k];
     const lam_skin_cell *cell = &cells[e->cell];
     const int *end = side_ends[e->side];
     bool reversed = cell->vertex[end[0]] != e->low;
     if (k == 0 || e->low != e[-1].low || e->high != e[-1].high) {
-      lam_skin_vertex at[2];
-      for (int i = 0; i < 2; i++) { /* seen so that the edge runs along the first tangent */
+      lam_conormal_arc *arc = &arcs[count++];
+      for (int i = 0; i < 2; i++) { /* so that the edge runs along the first direction of both */
         int corner = end[reversed ? 1 - i : i];
-        at[i] = turned(vertices[cell->vertex[corner]], cell->turn[corner] + e->side % 2 + (reversed ? 2 : 0));
+        arc->vertex[i] = cell->vertex[corner];
+        arc->turn[i] = (cell->turn[corner] + e->side % 2 + (reversed ? 2 : 0)) & 3;
       }
-      shared = lam_conormal_edge_make(&at[0], &at[1]);
     }
-    lam_conormal_edge *own = &sides[e->cell][e->side];
-    *own = shared;
-    if (!reversed) continue;
-    reverse(LAM_SKIN_POINTS, own->points);
-    for (int f = 0; f < own->field_count; f++) reverse(LAM_CONORMAL_POINTS, own->field[f]);
+    side_arc[e->cell][e->side] = count - 1;
   }
-  return sides;
+  return count;
 }
 
-int lam_asymptotic_skin_fill(lam_arena *arena, const lam_skin_vertex *vertices, int cell_count,
-                             const lam_skin_cell *cells, lam_place place, lam_errors *errors,
-                             lam_asymptotic_patch *patches) {
-  int order, total, made = 0;
-  const double *knots = lam_knots_repeat(arena, LAM_SKIN_DEGREE, 0, NULL, 1, &order);
-  const double *surface_knots = lam_knots_repeat(arena, LAM_CONORMAL_SURFACE, 0, NULL, 1, &total);
-  lam_conormal_edge(*sides)[4] = make_edges(arena, vertices, cell_count, cells);
+/* A side of a cell in its own direction. */
+static lam_conormal_edge side_of(const lam_conormal_vertex *vertices, const lam_conormal_arc *arc, int start) {
+  lam_conormal_edge edge = lam_conormal_edge_make(vertices, arc);
+  if (arc->vertex[0] != start) {
+    reverse(LAM_CONORMAL_CURVE + 1, edge.points);
+    reverse(LAM_CONORMAL_POINTS, edge.conormals);
+  }
+  return edge;
+}
+
+lam_skin_fit lam_asymptotic_skin_fill(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int cell_count,
+                                      const lam_skin_cell *cells, lam_asymptotic_patch *patches) {
+  int order, count;
+  const double *knots = lam_knots_repeat(arena, LAM_CONORMAL_CURVE, 0, NULL, 1, &order);
+  const double *surface_knots = lam_knots_repeat(arena, LAM_CONORMAL_SURFACE, 0, NULL, 1, &count);
+  const lam_conormal_plate *plate = lam_conormal_plate_make(arena);
+  lam_conormal_arc *arcs = LAM_NEW(arena, lam_conormal_arc, 4 * cell_count);
+  int(*side_arc)[4] = lam_arena_alloc(arena, (size_t)cell_count, sizeof *side_arc);
+  int arc_count = list_arcs(arena, cell_count, cells, arcs, side_arc);
+  int contradictions = lam_conormal_signs(arena, vertex_count, vertices, arc_count, arcs);
+  lam_skin_fit fit = lam_conormal_fit(arena, vertex_count, vertices, arc_count, arcs);
+  fit.contradictions = contradictions;
   for (int k = 0; k < cell_count; k++) {
     lam_asymptotic_patch *patch = &patches[k];
     *patch = (lam_asymptotic_patch){.energy = 0};
-    for (int c = 0; c < 4; c++)
+    lam_conormal_edge *sides = LAM_NEW(arena, lam_conormal_edge, 4);
+    for (int c = 0; c < 4; c++) {
+      sides[c] = side_of(vertices, &arcs[side_arc[k][c]], cells[k].vertex[side_ends[c][0]]);
       patch->boundary.curve[c] =
-          (lam_quad_curve){LAM_SKIN_DEGREE, LAM_SKIN_POINTS, knots, sides[k][c].points, NULL, false};
-    lam_vec3 *points = LAM_NEW(arena, lam_vec3, total * total);
-    lam_arena_mark mark = lam_arena_mark_get(arena);
-    if (!lam_conormal_patch_make(arena, sides[k], place, errors, patch)) {
-      patch->surface = (lam_spline_surface){0}; /* the memory may hold the message */
-      continue;
+          (lam_quad_curve){LAM_CONORMAL_CURVE, LAM_CONORMAL_CURVE + 1, knots, sides[c].points, NULL, false};
     }
-    memcpy(points, patch->surface.points, (size_t)(total * total) * sizeof *points);
-    lam_arena_release(arena, mark);
-    patch->surface.points = points;
-    patch->surface.knots[0] = patch->surface.knots[1] = surface_knots;
-    made++;
+    lam_vec3 *points = LAM_NEW(arena, lam_vec3, count * count);
+    if (!lam_conormal_patch_make(plate, sides, points, &patch->energy)) continue;
+    patch->surface = (lam_spline_surface){.degree = {LAM_CONORMAL_SURFACE, LAM_CONORMAL_SURFACE},
+                                          .count = {count, count},
+                                          .knots = {surface_knots, surface_knots},
+                                          .points = points};
+    fit.made++;
   }
-  return made;
+  return fit;
 }

@@ -61,18 +61,20 @@ static void measure_end(lam_quad_boundary *b, int i, int e) {
   b->torsion[i][e] = c->straight ? 0 : lam_dot(bend, jet[3]) / lam_dot(bend, bend);
 }
 
-enum { ENERGY_PLACES = 40 }; /* of the Gauss rule on a rational curve */
+lam_quad_rule lam_quad_rule_make(const lam_quad_curve *c) {
+  lam_quad_rule rule = {.count = c->weights ? LAM_QUAD_RULE_MAX : c->degree};
+  lam_gauss_rule(rule.count, rule.places, rule.weights);
+  return rule;
+}
 
-double lam_quad_curve_bending(const lam_quad_curve *c) {
-  double places[ENERGY_PLACES], weights[ENERGY_PLACES], sum = 0;
-  int count = c->weights ? ENERGY_PLACES : c->degree;
-  lam_gauss_rule(count, places, weights);
+double lam_quad_curve_bending(const lam_quad_curve *c, const lam_quad_rule *rule) {
+  double sum = 0;
   for (int k = c->degree; k < c->count; k++) {
     double width = c->knots[k + 1] - c->knots[k];
-    for (int g = 0; width > 0 && g < count; g++) {
+    for (int g = 0; width > 0 && g < rule->count; g++) {
       lam_vec3 jet[4];
-      lam_quad_curve_eval(c, c->knots[k] + width * places[g], jet);
-      sum += width * weights[g] * lam_dot(jet[2], jet[2]);
+      lam_quad_curve_eval(c, c->knots[k] + width * rule->places[g], jet);
+      sum += width * rule->weights[g] * lam_dot(jet[2], jet[2]);
     }
   }
   return sum;
@@ -82,6 +84,7 @@ void lam_quad_boundary_measure(lam_quad_boundary *boundary) {
   boundary->energy = 0;
   for (int i = 0; i < 4; i++) {
     for (int e = 0; e < 2; e++) measure_end(boundary, i, e);
-    boundary->energy += lam_quad_curve_bending(&boundary->curve[i]);
+    lam_quad_rule rule = lam_quad_rule_make(&boundary->curve[i]);
+    boundary->energy += lam_quad_curve_bending(&boundary->curve[i], &rule);
   }
 }

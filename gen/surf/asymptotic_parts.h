@@ -39,8 +39,16 @@ bool lam_quad_corners_check(const lam_quad_corners *corners, lam_quad_form form,
 /* The first and the last two points of every curve, from corners and tangents; the others lie between, evenly. */
 void lam_quad_boundary_start(lam_arena *arena, const lam_quad_corners *corners, const lam_quad_recipe *recipe,
                              lam_quad_boundary *boundary);
-/* Integral of |r''|^2: exact for polynomial pieces, by a Gauss rule otherwise. */
-double lam_quad_curve_bending(const lam_quad_curve *curve);
+/* A Gauss rule for lam_quad_curve_bending: exact for the pieces of a polynomial curve, of 40 places for a rational one.
+ */
+enum { LAM_QUAD_RULE_MAX = 40 };
+typedef struct lam_quad_rule {
+  int count;
+  double places[LAM_QUAD_RULE_MAX], weights[LAM_QUAD_RULE_MAX];
+} lam_quad_rule;
+lam_quad_rule lam_quad_rule_make(const lam_quad_curve *curve);
+/* Integral of |r''|^2. */
+double lam_quad_curve_bending(const lam_quad_curve *curve, const lam_quad_rule *rule);
 /* Fills slide, cross, curvature, torsion and energy from the curves. */
 void lam_quad_boundary_measure(lam_quad_boundary *boundary);
 /* The remaining points: of least energy with given end curvatures; with a quartic; with a rational quartic. */

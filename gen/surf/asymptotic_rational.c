@@ -13,6 +13,7 @@
 typedef struct lam_rational {
   const lam_quad_corners *corners;
   lam_quad_boundary *boundary;
+  lam_quad_rule rule;
   lam_vec3 point[4], along[4];
   double cross[4][2][2]; /* c = cross[0] + s cross[1] */
   double height[4][2], m[4][2], edge[4][2];
@@ -77,7 +78,7 @@ static double energy_at(void *data, const double *x) {
   lam_rational *r = data;
   double sum = 0;
   if (!set_boundary(r, x)) return INFINITY;
-  for (int i = 0; i < 4; i++) sum += lam_quad_curve_bending(&r->boundary->curve[i]);
+  for (int i = 0; i < 4; i++) sum += lam_quad_curve_bending(&r->boundary->curve[i], &r->rule);
   return sum;
 }
 
@@ -134,6 +135,7 @@ bool lam_quad_boundary_rational(lam_arena *arena, const lam_quad_corners *corner
   lam_rational r = {.corners = corners, .boundary = boundary};
   if (!prepare(&r, place, errors)) return false;
   for (int i = 0; i < 4; i++) boundary->curve[i].weights = LAM_NEW(arena, double, 5);
+  r.rule = lam_quad_rule_make(&boundary->curve[0]);
   double best[4] = {0}, least = INFINITY;
   for (int start = 0; start < STARTS * STARTS * STARTS; start++) { /* the best of a grid of starts */
     double x[4];

@@ -21,13 +21,28 @@ typedef struct lam_skin_cell {
   int vertex[4], turn[4];
 } lam_skin_cell;
 
+/* A vertex of a skin by its conormal nu = N / sqrt|tau| (m^(1/2)), N its normal and tau the torsion of the asymptotic
+ * curves through it, and the derivatives of nu along u and v when every edge has the parameter length 1. */
+typedef struct lam_conormal_vertex {
+  lam_vec3 point, conormal, slope[2];
+} lam_conormal_vertex;
+
+/* How the conormals of a skin were found. */
+typedef struct lam_skin_fit {
+  bool converged; /* every edge ends at its vertex to 1e-11 of the mean edge */
+  int steps;
+  double missed;      /* m: the largest distance of the end of an edge from its vertex */
+  double tilt;        /* rad: the largest angle between a conormal and its start */
+  int contradictions; /* edges of a net that has no torsion of one sign along a family */
+  int made;           /* patches */
+} lam_skin_fit;
+
 /* One patch per cell. Cells that share two vertices share the curve between them; any number may meet at a vertex. The
- * curves have degree 7 and may be straight or bend to both sides; tangents, curvatures and torsions at their ends are
- * the given ones, and torsions must not be 0. Returns how many were made; those that
- * fold over their boundary are left out: surface.points is NULL then, and errors says why. */
-int lam_asymptotic_skin_fill(lam_arena *arena, const lam_skin_vertex *vertices, int cell_count,
-                             const lam_skin_cell *cells, lam_place place, lam_errors *errors,
-                             lam_asymptotic_patch *patches);
+ * curves have degree 5, are asymptotic curves of the patches, and may be straight or bend to both sides. Conormals and
+ * slopes of the vertices are where the search starts, to about a tenth, and are set to those that were found. Vertices
+ * in no cell are not used. Where a patch would fold over its boundary, surface.points is NULL. */
+lam_skin_fit lam_asymptotic_skin_fill(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int cell_count,
+                                      const lam_skin_cell *cells, lam_asymptotic_patch *patches);
 /* The patches over count[0] x count[1] vertices (v running fastest), (count[0] - 1) x (count[1] - 1) of them in the
  * same order. false, with an error, when some patch folds over its boundary or tangents are parallel. */
 bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_skin_vertex *vertices, lam_place place,

@@ -23,7 +23,7 @@ static const char *const blends[] = {"bilinear", "hermite", NULL}; /* in the ord
 
 static bool check_across(lam_arena *arena, const coons_keys *keys, lam_place place, lam_errors *errors) {
   const lam_side_keys *curves = keys->sides.curves.items;
-  for (int i = 0; i < keys->sides.curves.count; i++)
+  for (int i = 0; !keys->sides.file && i < keys->sides.curves.count; i++)
     if (curves[i].across.count && keys->blend != LAM_COONS_HERMITE) {
       lam_error_add(errors, place, lam_arena_printf(arena, "curves[%d].across", i),
                     "given with a bilinear blend; expected blend: hermite");
@@ -31,6 +31,8 @@ static bool check_across(lam_arena *arena, const coons_keys *keys, lam_place pla
     }
   return true;
 }
+
+static lam_sides_keys *sides_of(void *params) { return &((coons_keys *)params)->sides; }
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const coons_keys *keys = params;
@@ -104,6 +106,7 @@ const lam_surface_kind lam_surface_coons = {
              .source = "Coons, Surfaces for computer-aided design of space forms, 1967",
              .keys = keys,
              .params_size = sizeof(coons_keys)},
+    .sides = sides_of,
     .prepare = prepare,
     .eval = lam_held_nurbs_eval,
     .domain = lam_held_nurbs_domain,

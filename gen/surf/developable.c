@@ -6,7 +6,7 @@
 #include "surf/sides_keys.h"
 #include "surf/spline_surface.h"
 
-enum { MOST_DEGREE = 8, MOST_INNER = 300, REPORT_GRID = 200 };
+enum { MOST_DEGREE = 8, MOST_INNER = 300, REPORT_GRID = 400 };
 
 typedef struct developable_keys {
   lam_sides_keys sides;
@@ -21,7 +21,9 @@ typedef struct developable_data {
   int cells;
 } developable_data;
 
-static const char *const methods[] = {"newton", "trust-region", "quasi-newton", NULL};
+static const char *const methods[] = {"newton", "trust-region", "quasi-newton", "minimax", NULL};
+
+static lam_sides_keys *sides_of(void *params) { return &((developable_keys *)params)->sides; }
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const developable_keys *keys = params;
@@ -50,6 +52,27 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
   return data;
 }
 
+/* Both singular values of the map from the flattened surface and their ratio, whose largest is returned. */
+static double report_stretch(lam_arena *arena, const lam_flat_mesh *mesh, const lam_vec2 *flat, lam_stage *stage) {
+  lam_measure m[3] = {
+      {.name = "flattening_distortion"}, {.name = "flattening_stretch"}, {.name = "flattening_compression"}};
+  lam_vec2 *stretch = LAM_NEW(arena, lam_vec2, mesh->triangle_count);
+  lam_flat_stretches(mesh, flat, stretch);
+  for (int k = 0; k < 3; k++) {
+    m[k].unit = "";
+    m[k].min = INFINITY;
+    m[k].count = mesh->triangle_count;
+    for (int t = 0; t < mesh->triangle_count; t++) {
+      const double values[3] = {stretch[t].x / stretch[t].y, stretch[t].x, stretch[t].y};
+      m[k].min = fmin(m[k].min, values[k]);
+      m[k].max = fmax(m[k].max, values[k]);
+      m[k].mean += values[k] / mesh->triangle_count;
+    }
+    lam_stage_measure_add(arena, stage, m[k]);
+  }
+  return m[0].max;
+}
+
 /* 40 Gauss points per span: not the rule that was minimized with. */
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const developable_data *d = data;
@@ -57,9 +80,6 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_developable_measures m = lam_developable_measure(arena, surface, 40, REPORT_GRID);
   lam_flat_mesh mesh = lam_flat_grid(arena, surface, d->cells, LAM_FLAT_GEODESICS);
   lam_flattening flat = lam_flatten(arena, &mesh);
-  double *ratios = LAM_NEW(arena, double, mesh.triangle_count), mean_stretch = 0;
-  double stretch = lam_flat_anisotropy(&mesh, flat.points, ratios);
-  for (int t = 0; t < mesh.triangle_count; t++) mean_stretch += ratios[t] / mesh.triangle_count;
   long places = (REPORT_GRID + 1L) * (REPORT_GRID + 1L);
   stage->converged = d->result.converged && flat.converged;
   stage->reason = d->result.converged && !flat.converged ? "the flattening did not converge" : d->result.reason;
@@ -69,16 +89,22 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_measure(arena, stage, "gauss_curvature_max", "1/m2", m.max, m.mean, places);
   lam_stage_measure(arena, stage, "corner_bound", "1/m2", m.corner_bound, m.corner_bound, 4);
   lam_stage_measure(arena, stage, "flattening_strain", "", flat.max_strain, flat.rms_strain, mesh.edge_count);
-  lam_stage_measure(arena, stage, "flattening_stretch", "", stretch, mean_stretch, mesh.triangle_count);
+  double distortion = report_stretch(arena, &mesh, flat.points, stage);
   lam_stage_measure(arena, stage, "turned_triangles", "", flat.flips, flat.flips, mesh.triangle_count);
   lam_stage_note(arena, stage, "Coons surface before: |K| %.4g in the mean square, at most %.4g 1/m2", d->coons.l2,
                  d->coons.max);
-  lam_stage_note(arena, stage, "stretch of the parameter lines: %.4g; of the flattened surface: %.6g",
-                 lam_flat_anisotropy(&mesh, mesh.start, NULL), stretch);
+  lam_stage_note(arena, stage,
+                 "largest ratio of singular values, of the parameter lines: %.4g; of the flattened surface: %.6g",
+                 lam_flat_anisotropy(&mesh, mesh.start, NULL), distortion);
   if (m.corner_bound > 0)
     lam_stage_note(arena, stage,
-                   "no surface over this boundary has max |K| below %.5g 1/m2; this one has %.3g times that",
-                   m.corner_bound, m.max / m.corner_bound);
+                   "no surface over this boundary has max |K| below %.5g 1/m2, the bound of its corners; this one %s",
+                   m.corner_bound,
+                   m.max <= m.corner_bound * (1 + 1e-4)
+                       ? "attains it"
+                       : lam_arena_printf(arena, "has %.4g times that", m.max / m.corner_bound));
+  else
+    lam_stage_note(arena, stage, "the corners set no bound on max |K|");
   if (d->result.escapes) lam_stage_note(arena, stage, "saddle points left: %d", d->result.escapes);
 }
 
@@ -96,16 +122,18 @@ static const lam_key keys[] = {
      .initial = "2",
      .min = 2,
      .max = 96,
-     .doc = "The p of the L^p norm of the Gaussian curvature: 2 makes it small in the mean square, 48 nearly makes its "
-            "largest value least."},
+     .doc =
+         "The p of the L^p norm of the Gaussian curvature: 2 makes it small in the mean square; the higher, the more "
+         "the largest values count. Not used by the method minimax."},
     {.name = "method",
      .type = LAM_KEY_CHOICE,
      .offset = AT(method),
      .count = 1,
      .initial = "newton",
      .choices = methods,
-     .doc = "newton: Levenberg-Marquardt, then Newton's method, past saddle points; the others are the two of the "
-            "paper, for comparison."},
+     .doc = "newton: Levenberg-Marquardt, then Newton's method, past saddle points; minimax: the same on ever higher "
+            "powers, until the largest value of the Gaussian curvature is least; the others are the two of the paper, "
+            "for comparison."},
     {.name = "flatten",
      .type = LAM_KEY_INTEGER,
      .offset = AT(cells),
@@ -125,11 +153,12 @@ const lam_surface_kind lam_surface_developable = {
                  "a cylinder or a tangent surface, that surface is found; where no developable surface exists, the "
                  "Gaussian curvature is made as small as possible, and the report tells what remains, how little "
                  "of it the corners allow at best, and how much the sheet has to stretch. Making the mean small can "
-                 "raise the maximum at an edge: take a higher power then.",
+                 "raise the maximum at an edge: take the method minimax then.",
              .equation = "int int |K|^p du dv -> min, K = (LN - M^2)/(EG - F^2)",
              .source = "Li & Deng, Construction and application of approximate developable surfaces, sec. 2-4",
              .keys = keys,
              .params_size = sizeof(developable_keys)},
+    .sides = sides_of,
     .prepare = prepare,
     .eval = lam_held_nurbs_eval,
     .domain = lam_held_nurbs_domain,

@@ -12,11 +12,12 @@ typedef enum lam_developable_method {
   LAM_DEVELOPABLE_NEWTON,       /* Levenberg-Marquardt, then Newton's method on the p-th power of the norm */
   LAM_DEVELOPABLE_TRUST_REGION, /* Li & Deng, algorithm 1 */
   LAM_DEVELOPABLE_QUASI_NEWTON, /* Li & Deng, algorithm 2 */
+  LAM_DEVELOPABLE_MINIMAX, /* the largest |K| is made least: Newton's method on ever higher powers, edges included */
 } lam_developable_method;
 
 typedef struct lam_developable_options {
   lam_developable_method method;
-  double power;       /* p >= 2; above 2 the minima of smaller powers come first */
+  double power;       /* p >= 2; above 2 the minima of smaller powers come first; not used by MINIMAX */
   int points;         /* Gauss points per knot span and direction of the last steps; 0: chosen from degree and spans */
   int max_iterations; /* of one power; 0: 500 */
 } lam_developable_options;
@@ -26,7 +27,7 @@ typedef struct lam_developable_result {
   const char *reason;
   int iterations, evaluations; /* accepted and tried steps, over all powers */
   int escapes;                 /* saddle points that were left */
-  double norm;                 /* ||K||_p by the rule that was minimized with */
+  double norm;                 /* ||K||_p by the rule that was minimized with; MINIMAX: the largest |K| of its places */
 } lam_developable_result;
 
 /* Moves the inner control points of surface, for instance a Coons patch (surf/coons_patch.h; weights NULL, knots sound)
@@ -46,5 +47,7 @@ typedef struct lam_developable_measures {
 } lam_developable_measures;
 lam_developable_measures lam_developable_measure(lam_arena *arena, const lam_spline_surface *surface, int points,
                                                  int grid);
+/* The corner bound alone. */
+double lam_developable_bound(lam_arena *arena, const lam_spline_surface *surface);
 
 #endif

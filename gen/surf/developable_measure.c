@@ -49,7 +49,7 @@ static void scan(const meter *m, int grid, lam_developable_measures *out) {
   out->least_ratio = most > 0 ? least / most : 0;
 }
 
-static double corner_bound(const meter *m) {
+static double corner_bound_of(const meter *m) {
   double bound = 0;
   for (int k = 0; k < 4; k++) {
     lam_jet jet;
@@ -61,6 +61,14 @@ static double corner_bound(const meter *m) {
   return bound;
 }
 
+double lam_developable_bound(lam_arena *arena, const lam_spline_surface *surface) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  meter m = {lam_nurbs_make(arena, surface), surface};
+  double bound = corner_bound_of(&m);
+  lam_arena_release(arena, mark);
+  return bound;
+}
+
 lam_developable_measures lam_developable_measure(lam_arena *arena, const lam_spline_surface *surface, int points,
                                                  int grid) {
   lam_developable_measures out = {0};
@@ -68,7 +76,7 @@ lam_developable_measures lam_developable_measure(lam_arena *arena, const lam_spl
   meter m = {lam_nurbs_make(arena, surface), surface};
   integrate(arena, &m, points, &out);
   scan(&m, grid, &out);
-  out.corner_bound = corner_bound(&m);
+  out.corner_bound = corner_bound_of(&m);
   lam_arena_release(arena, mark);
   return out;
 }

@@ -13,10 +13,34 @@ typedef struct state {
   double *gradient, *hessian, *factor, *step;
 } state;
 
+/* The norm at x. A high power of a value well below the scale would vanish: the scale is lowered to it then. */
+static lam_gauss_value evaluate(const lam_developing *d, const lam_vec3 *x) {
+  d->result->evaluations++;
+  lam_gauss_value value = lam_gauss_norm_eval(d->norm, x, d->power, d->scale, LAM_ORDER_VALUE, NULL, NULL);
+  if (d->logarithm && value.power < 1e-250 && value.max > 0)
+    value = lam_gauss_norm_eval(d->norm, x, d->power, value.max, LAM_ORDER_VALUE, NULL, NULL);
+  return value;
+}
+
+/* What is minimized: the p-th power of the norm, or the logarithm of the norm. */
+static double objective(const lam_developing *d, const lam_gauss_value *value) {
+  return d->logarithm ? log(value->scale) + log(value->power) / d->power : value->power;
+}
+
+/* With F the power: the gradient of log(F)/p is g/(pF), its Hessian H/(pF) - g g^T/(pF^2). */
 static lam_gauss_value assemble(state *s, lam_order order) {
   const lam_developing *d = s->d;
   d->result->evaluations++;
-  return lam_gauss_norm_eval(d->norm, d->x, d->power, d->scale, order, s->gradient, s->hessian);
+  lam_gauss_value value = lam_gauss_norm_eval(d->norm, d->x, d->power, d->scale, order, s->gradient, s->hessian);
+  if (!d->logarithm) return value;
+  double unit = 1 / (d->power * value.power);
+  for (int i = 0; i < s->n; i++) s->gradient[i] *= unit;
+  for (int i = 0; i < s->n; i++)
+    for (int k = 0; k <= i; k++) {
+      double *entry = &s->hessian[(size_t)i * s->n + k];
+      *entry = unit * *entry - d->power * s->gradient[i] * s->gradient[k];
+    }
+  return value;
 }
 
 static double mean_diagonal(const state *s) {
@@ -46,10 +70,11 @@ static double bend(const state *s, const double *step) {
   return sum;
 }
 
-static void accept(lam_developing *d) {
+static void accept(lam_developing *d, const lam_gauss_value *value) {
   lam_vec3 *t = d->x;
   d->x = d->trial;
   d->trial = t;
+  if (d->logarithm) d->scale = value->max;
 }
 
 /* What the model promises of a step: -(g.d + d.Hd/2). */
@@ -69,6 +94,7 @@ static void descend(state *s, int gauss_newton_steps) {
     double unit = mean_diagonal(s), size = 0;
     if (!(unit > 0)) return;
     bool moved = false;
+    lam_gauss_value next = now;
     while (!moved && tried++ < 4 * d->max_iterations) {
       if (!factor(s, lambda * unit)) {
         lambda = fmax(4 * lambda, 1e-8);
@@ -80,12 +106,11 @@ static void descend(state *s, int gauss_newton_steps) {
       double cap = fmin(1, 0.25 * d->size / size), expected;
       for (int i = 0; i < s->n; i++) s->step[i] *= cap;
       expected = promise(s, s->step);
-      if (expected <= 1e-15 * now.power && it >= gauss_newton_steps) return;
+      if (expected <= (d->logarithm ? 1e-14 : 1e-15 * now.power) && it >= gauss_newton_steps) return;
       lam_developing_try(d, s->step);
-      lam_gauss_value next = lam_gauss_norm_eval(d->norm, d->trial, d->power, d->scale, LAM_ORDER_VALUE, NULL, NULL);
-      d->result->evaluations++;
-      double gain = (now.power - next.power) / expected;
-      if (next.power < now.power && lam_developing_sound(d, &next)) {
+      next = evaluate(d, d->trial);
+      double gain = (objective(d, &now) - objective(d, &next)) / expected;
+      if (gain > 0 && lam_developing_sound(d, &next)) {
         moved = true;
         lambda = fmax(1e-14, lambda * fmax(0.1, 1 - pow(2 * fmin(gain, 1) - 1, 3)));
         raise = 2;
@@ -103,7 +128,7 @@ static void descend(state *s, int gauss_newton_steps) {
       it = gauss_newton_steps - 1;
       continue;
     }
-    accept(d);
+    accept(d, &next);
     d->result->iterations++;
   }
   d->result->converged = false;
@@ -116,7 +141,8 @@ static bool downhill(state *s) {
   assemble(s, LAM_ORDER_NEWTON);
   double unit = mean_diagonal(s), low = 1e-9 * unit, high = low;
   if (factor(s, low)) return false;
-  while (!factor(s, high)) high *= 4;
+  while (high < 1e9 * unit && !factor(s, high)) high *= 4;
+  if (!(high < 1e9 * unit)) return false;
   while (high > 1.01 * low) {
     double middle = sqrt(low * high);
     if (factor(s, middle))
@@ -139,21 +165,23 @@ static bool leave(state *s) {
   lam_developing *d = s->d;
   if (!downhill(s)) return false;
   double *way = LAM_NEW(d->arena, double, s->n), best = 0;
-  double here = lam_gauss_norm_eval(d->norm, d->x, d->power, d->scale, LAM_ORDER_VALUE, NULL, NULL).power, least = here;
+  lam_gauss_value here = evaluate(d, d->x);
+  double least = objective(d, &here);
   for (int k = 0; k < 12; k++) {
     double length = (k % 2 ? -1 : 1) * d->size * 0.1 * pow(0.25, k / 2.);
     for (int i = 0; i < s->n; i++) way[i] = length * s->step[i];
     lam_developing_try(d, way);
-    lam_gauss_value there = lam_gauss_norm_eval(d->norm, d->trial, d->power, d->scale, LAM_ORDER_VALUE, NULL, NULL);
-    if (there.power < least && lam_developing_sound(d, &there)) {
-      least = there.power;
+    lam_gauss_value there = evaluate(d, d->trial);
+    if (objective(d, &there) < least && lam_developing_sound(d, &there)) {
+      least = objective(d, &there);
       best = length;
     }
   }
   if (best == 0) return false;
   for (int i = 0; i < s->n; i++) way[i] = best * s->step[i];
   lam_developing_try(d, way);
-  accept(d);
+  here = evaluate(d, d->trial);
+  accept(d, &here);
   d->result->escapes++;
   return true;
 }

@@ -13,7 +13,7 @@ bool lam_developing_sound(const lam_developing *d, const lam_gauss_value *value)
   return isfinite(value->power) && value->ratio > 1e-4 && value->area < 4 * d->area;
 }
 
-static int spans(const lam_spline_surface *s) {
+int lam_spline_spans(const lam_spline_surface *s) {
   int most = 0;
   for (int d = 0; d < 2; d++) {
     int count = 0;
@@ -23,34 +23,64 @@ static int spans(const lam_spline_surface *s) {
   return most;
 }
 
-/* Gauss points per span of the last steps: 32 on a single patch, always more than the degree asks for. */
-static int default_points(const lam_spline_surface *s) {
-  int degree = s->degree[0] > s->degree[1] ? s->degree[0] : s->degree[1], patch = (32 + spans(s) - 1) / spans(s);
-  return patch > 2 * degree + 4 ? patch : 2 * degree + 4;
+/* Gauss points per span of the last steps: `along` on a single patch, always more than the degree asks for. */
+static int default_points(const lam_spline_surface *s, int along) {
+  int degree = s->degree[0] > s->degree[1] ? s->degree[0] : s->degree[1], spans = lam_spline_spans(s);
+  int each = (along + spans - 1) / spans;
+  return each > 2 * degree + 4 ? each : 2 * degree + 4;
+}
+
+static bool by_newton(const lam_developable_options *options) {
+  return options->method == LAM_DEVELOPABLE_NEWTON || options->method == LAM_DEVELOPABLE_MINIMAX;
 }
 
 static void minimize(lam_developing *d, const lam_developable_options *options, int gauss_newton_steps) {
-  if (options->method == LAM_DEVELOPABLE_NEWTON)
+  if (by_newton(options))
     lam_developable_newton(d, gauss_newton_steps);
   else
     lam_developable_paper(d, options->method == LAM_DEVELOPABLE_TRUST_REGION);
 }
 
+bool lam_developing_curved(lam_developing *d) {
+  d->scale = lam_gauss_norm_eval(d->norm, d->x, 2, 1, LAM_ORDER_VALUE, NULL, NULL).max;
+  return d->scale * d->size * d->size > 1e-10;
+}
+
 /* The minima of powers 2, 4, 8 ... lead to that of a high power. */
-static void raise_power(lam_developing *d, const lam_developable_options *options, double last) {
-  for (double p = fmin(4, last);; p = fmin(2 * p, last)) {
-    lam_gauss_value at = lam_gauss_norm_eval(d->norm, d->x, 2, 1, LAM_ORDER_VALUE, NULL, NULL);
+static void raise_power(lam_developing *d, const lam_developable_options *options) {
+  d->logarithm = by_newton(options);
+  for (double p = fmin(4, options->power); lam_developing_curved(d); p = fmin(2 * p, options->power)) {
     d->power = p;
-    d->scale = at.max;
-    if (at.max > 0) minimize(d, options, 8);
-    if (p >= last) return;
+    minimize(d, options, 0);
+    if (p >= options->power) return;
   }
+}
+
+/* What the boundary tells of size. */
+static double box_size(int count, const lam_vec3 *x) {
+  lam_vec3 low = x[0], high = x[0];
+  for (int i = 1; i < count; i++) {
+    low = lam_v3(fmin(low.x, x[i].x), fmin(low.y, x[i].y), fmin(low.z, x[i].z));
+    high = lam_v3(fmax(high.x, x[i].x), fmax(high.y, x[i].y), fmax(high.z, x[i].z));
+  }
+  return lam_distance(low, high);
+}
+
+/* Power 2, by Newton's method with half the places first. */
+static void mean_square(lam_developing *d, const lam_developable_options *options, const lam_gauss_norm *quick) {
+  const lam_gauss_norm *last = d->norm;
+  d->norm = quick;
+  if (by_newton(options)) minimize(d, options, 8);
+  d->norm = last;
+  minimize(d, options, 0);
 }
 
 lam_developable_result lam_developable_solve(lam_arena *arena, lam_spline_surface *surface,
                                              lam_developable_options options) {
   lam_developable_result result = {.converged = true, .reason = "there is no inner control point"};
-  int total = surface->count[0] * surface->count[1], fine = options.points ? options.points : default_points(surface);
+  bool minimax = options.method == LAM_DEVELOPABLE_MINIMAX;
+  int total = surface->count[0] * surface->count[1];
+  int fine = options.points ? options.points : default_points(surface, 32);
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, total);
   memcpy(x, surface->points, (size_t)total * sizeof *x);
   surface->points = x;
@@ -62,29 +92,22 @@ lam_developable_result lam_developable_solve(lam_arena *arena, lam_spline_surfac
   d.trial = LAM_NEW(arena, lam_vec3, total);
   d.max_iterations = options.max_iterations ? options.max_iterations : 500;
   memcpy(d.x, x, (size_t)total * sizeof *x);
-  lam_vec3 low = x[0], high = x[0];
-  for (int i = 1; i < total; i++) {
-    low = lam_v3(fmin(low.x, x[i].x), fmin(low.y, x[i].y), fmin(low.z, x[i].z));
-    high = lam_v3(fmax(high.x, x[i].x), fmax(high.y, x[i].y), fmax(high.z, x[i].z));
-  }
-  d.size = lam_distance(low, high);
+  d.size = box_size(total, x);
   lam_gauss_value start = lam_gauss_norm_eval(&last, d.x, 2, 1, LAM_ORDER_VALUE, NULL, NULL);
   d.area = start.area;
   d.scale = sqrt(start.power);
   if (last.unknowns && d.scale > 0) {
-    if (options.method == LAM_DEVELOPABLE_NEWTON) {
-      d.norm = &quick;
-      minimize(&d, &options, 8);
-      d.norm = &last;
-      minimize(&d, &options, 0);
-    } else {
-      minimize(&d, &options, 0);
+    mean_square(&d, &options, &quick);
+    if (minimax) {
+      lam_developable_minimax(&d, surface);
+    } else if (options.power > 2) {
+      if (!options.points) last = lam_gauss_norm_make(arena, surface, default_points(surface, 64));
+      raise_power(&d, &options);
     }
-    if (options.power > 2) raise_power(&d, &options, options.power);
   }
-  lam_gauss_value end =
-      lam_gauss_norm_eval(&last, d.x, d.power, d.scale > 0 ? d.scale : 1, LAM_ORDER_VALUE, NULL, NULL);
-  result.norm = (d.scale > 0 ? d.scale : 1) * pow(end.power, 1 / d.power);
+  if (!(d.scale > 0)) d.scale = 1;
+  lam_gauss_value end = lam_gauss_norm_eval(&last, d.x, d.power, d.scale, LAM_ORDER_VALUE, NULL, NULL);
+  if (!minimax) result.norm = d.scale * pow(end.power, 1 / d.power);
   memcpy(x, d.x, (size_t)total * sizeof *x);
   lam_arena_release(arena, mark);
   return result;

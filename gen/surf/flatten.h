@@ -45,8 +45,8 @@ typedef struct lam_flattening {
   bool converged;
 } lam_flattening;
 
-/* Twenty steps of local rotations and one linear system (Liu et al., A local/global approach to mesh parameterization,
- * 2008), then Gauss-Newton on the energy. */
+/* Unfolding, twenty steps of local rotations and one linear system (Liu et al., A local/global approach to mesh
+ * parameterization, 2008), then Gauss-Newton on the energy. */
 lam_flattening lam_flatten(lam_arena *arena, const lam_flat_mesh *mesh);
 /* Conjugate gradients from the start, as in the paper. */
 lam_flattening lam_flatten_conjugate(lam_arena *arena, const lam_flat_mesh *mesh, int max_iterations);
@@ -54,6 +54,11 @@ lam_flattening lam_flatten_conjugate(lam_arena *arena, const lam_flat_mesh *mesh
 /* Turns and moves points to lie on target as well as can be (least squares, no mirroring, no scaling); returns the root
  * mean square distance that remains. */
 double lam_flat_align(int count, const lam_vec2 *target, lam_vec2 *points);
+/* The singular values x >= y of the linear map that takes p to a and q to b: how much a small circle around the place
+ * is drawn out along and across. Not finite when p and q are parallel. */
+lam_vec2 lam_flat_stretch(lam_vec2 p, lam_vec2 q, lam_vec3 a, lam_vec3 b);
+/* The same of every triangle, from the plane into space. stretch: triangle_count. */
+void lam_flat_stretches(const lam_flat_mesh *mesh, const lam_vec2 *flat, lam_vec2 *stretch);
 /* The ratio of the singular values of the map from a flat triangle to the one in space, >= 1: how much a texture is
  * drawn out. ratios: triangle_count, or NULL; returns the largest. */
 double lam_flat_anisotropy(const lam_flat_mesh *mesh, const lam_vec2 *flat, double *ratios);

@@ -44,23 +44,37 @@ double lam_flat_align(int count, const lam_vec2 *target, lam_vec2 *points) {
   return count ? sqrt(sum / count) : 0;
 }
 
-/* Edges in the plane of the triangle as columns of P, flat ones as columns of Q: the map is P Q^-1. With S = |P Q^-1|^2
- * (Frobenius) and D its determinant, s1 +- s2 = sqrt(S +- 2 D). */
+/* With a, b as columns of A and p, q as those of P the map is A P^-1. With S = |A P^-1|^2 (Frobenius) and D the area
+ * factor, s1 +- s2 = sqrt(S +- 2 D). */
+lam_vec2 lam_flat_stretch(lam_vec2 p, lam_vec2 q, lam_vec3 a, lam_vec3 b) {
+  double det = p.x * q.y - p.y * q.x;
+  lam_vec3 du = lam_scale(lam_sub(lam_scale(a, q.y), lam_scale(b, p.y)), 1 / det);
+  lam_vec3 dv = lam_scale(lam_sub(lam_scale(b, p.x), lam_scale(a, q.x)), 1 / det);
+  double S = lam_dot(du, du) + lam_dot(dv, dv), D = lam_length(lam_cross(du, dv));
+  double sum = sqrt(S + 2 * D), difference = sqrt(fmax(0, S - 2 * D));
+  return (lam_vec2){(sum + difference) / 2, (sum - difference) / 2};
+}
+
+void lam_flat_stretches(const lam_flat_mesh *mesh, const lam_vec2 *flat, lam_vec2 *stretch) {
+  for (int t = 0; t < mesh->triangle_count; t++) {
+    const int *v = mesh->triangles[t];
+    const lam_vec3 *x = mesh->vertices;
+    lam_vec2 p = {flat[v[1]].x - flat[v[0]].x, flat[v[1]].y - flat[v[0]].y};
+    lam_vec2 q = {flat[v[2]].x - flat[v[0]].x, flat[v[2]].y - flat[v[0]].y};
+    stretch[t] = lam_flat_stretch(p, q, lam_sub(x[v[1]], x[v[0]]), lam_sub(x[v[2]], x[v[0]]));
+  }
+}
+
 double lam_flat_anisotropy(const lam_flat_mesh *mesh, const lam_vec2 *flat, double *ratios) {
   double most = 0;
   for (int t = 0; t < mesh->triangle_count; t++) {
-    const int *v = mesh->triangles[t];
-    lam_vec3 a = lam_sub(mesh->vertices[v[1]], mesh->vertices[v[0]]);
-    lam_vec3 b = lam_sub(mesh->vertices[v[2]], mesh->vertices[v[0]]);
-    double px = flat[v[1]].x - flat[v[0]].x, py = flat[v[1]].y - flat[v[0]].y;
-    double qx = flat[v[2]].x - flat[v[0]].x, qy = flat[v[2]].y - flat[v[0]].y, det = px * qy - py * qx;
-    lam_vec3 du = lam_scale(lam_sub(lam_scale(a, qy), lam_scale(b, py)), 1 / det);
-    lam_vec3 dv = lam_scale(lam_sub(lam_scale(b, px), lam_scale(a, qx)), 1 / det);
-    double S = lam_dot(du, du) + lam_dot(dv, dv), D = lam_length(lam_cross(du, dv));
-    double sum = sqrt(S + 2 * D), difference = sqrt(fmax(0, S - 2 * D)),
-           ratio = (sum + difference) / (sum - difference);
-    if (ratios) ratios[t] = ratio;
-    most = fmax(most, ratio);
+    lam_flat_mesh one = *mesh;
+    lam_vec2 s;
+    one.triangles = mesh->triangles + t;
+    one.triangle_count = 1;
+    lam_flat_stretches(&one, flat, &s);
+    if (ratios) ratios[t] = s.x / s.y;
+    most = fmax(most, s.x / s.y);
   }
   return most;
 }

@@ -29,6 +29,9 @@ void lam_flat_system_again(lam_flat_system *s);
 void lam_flat_system_move(lam_flat_system *s, double share);
 double lam_flat_system_sum(const lam_flat_system *s);
 
+/* The angle in the plane of every triangle's first side, from unfolding one triangle after the other. */
+void lam_flat_unfold(lam_arena *arena, const lam_flat_mesh *mesh, double *angles);
+
 /* Energy, strains and flips of result->points. */
 void lam_flat_measure(const lam_flat_mesh *mesh, lam_flattening *result);
 

@@ -1,6 +1,6 @@
-/* Laying flat in two stages. First, as rigid as possible: every triangle with gradient J of the map from its own plane
- * asks for the nearest rotation R, sum of area |J - R|^2; rotations and points are improved in turn. This finds its way
- * from any start without triangles turned over. Then Gauss-Newton on sum (l - L)^2, damped:
+/* Laying flat in three stages. First, unfolding triangle after triangle tells how each is turned (flatten_unfold.c).
+ * Then, as rigid as possible: every triangle with gradient J of the map from its own plane asks for its rotation R, sum
+ * of area |J - R|^2; points and nearest rotations are improved in turn. At last Gauss-Newton on sum (l - L)^2, damped:
  *   r = |x_b - x_a| - L,  dr = (x_b - x_a)/l on b, the opposite on a.
  * One point is held; turning costs nothing, which the damping takes care of. */
 #include "surf/flatten_parts.h"
@@ -61,14 +61,17 @@ static void rotate(const double *x, const int t[3], double *p) {
   p[6] = l > 0 ? s / l : 0;
 }
 
-static void make_rigid(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *points) {
+/* angles: of the first rotations; NULL: from the points. */
+static void make_rigid(lam_arena *arena, const lam_flat_mesh *mesh, const double *angles, lam_vec2 *points) {
   lam_arena_mark mark = lam_arena_mark_get(arena);
   lam_problem *problem = lam_flat_problem(arena, mesh->vertex_count, points);
   double(*params)[7] = lam_arena_alloc(arena, (size_t)mesh->triangle_count, sizeof *params);
   int(*nodes)[3] = lam_arena_alloc(arena, (size_t)mesh->triangle_count, sizeof *nodes), count = 0;
-  for (int t = 0; t < mesh->triangle_count; t++)
-    if (rest(mesh->vertices, mesh->triangles[t], params[count]))
-      memcpy(nodes[count++], mesh->triangles[t], sizeof *nodes);
+  for (int t = 0; t < mesh->triangle_count; t++) {
+    if (!rest(mesh->vertices, mesh->triangles[t], params[count])) continue;
+    if (angles) params[count][5] = cos(angles[t]), params[count][6] = sin(angles[t]);
+    memcpy(nodes[count++], mesh->triangles[t], sizeof *nodes);
+  }
   lam_problem_add(problem, (lam_block){.name = "rotation",
                                        .kernel = rotation_kernel,
                                        .rows = 4,
@@ -82,7 +85,7 @@ static void make_rigid(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *po
   problem->fixed[0] = true;
   lam_flat_system s = lam_flat_system_make(arena, problem);
   for (int k = 0; s.size && k < rotations; k++) {
-    for (int t = 0; t < count; t++) rotate(problem->x, nodes[t], params[t]);
+    for (int t = 0; (k || !angles) && t < count; t++) rotate(problem->x, nodes[t], params[t]);
     lam_flat_system_assemble(&s);
     if (k)
       lam_flat_system_again(&s); /* the matrix is the same */
@@ -97,9 +100,10 @@ static void make_rigid(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *po
 static void equalize(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *points, lam_flattening *result) {
   lam_arena_mark mark = lam_arena_mark_get(arena);
   lam_problem *problem = lam_flat_problem(arena, mesh->vertex_count, points);
-  double *lengths = LAM_NEW(arena, double, mesh->edge_count), longest = 0;
+  double *lengths = LAM_NEW(arena, double, mesh->edge_count), extent = 0;
   memcpy(lengths, mesh->lengths, (size_t)mesh->edge_count * sizeof *lengths);
-  for (int e = 0; e < mesh->edge_count; e++) longest = fmax(longest, lengths[e]);
+  for (int v = 0; v < mesh->vertex_count; v++)
+    extent = fmax(extent, hypot(points[v].x - points[0].x, points[v].y - points[0].y));
   lam_problem_add(problem, (lam_block){.name = "length",
                                        .kernel = length_kernel,
                                        .rows = 1,
@@ -113,7 +117,7 @@ static void equalize(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *poin
   problem->fixed[0] = true;
   lam_flat_system s = lam_flat_system_make(arena, problem);
   /* Rounding of coordinates limits the energy to about this. */
-  double floor = mesh->edge_count * pow(4e-16 * longest, 2), damping = 1e-6;
+  double floor = mesh->edge_count * pow(2e-16 * extent, 2), damping = 1e-6;
   for (int tries = 0; s.size && !result->converged && tries < 2 * MOST_STEPS; tries++) {
     double now = lam_flat_system_assemble(&s);
     if (!lam_flat_system_step(&s, damping)) {
@@ -140,11 +144,33 @@ static void equalize(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *poin
   lam_arena_release(arena, mark);
 }
 
+/* The unfolded mesh, made rigid; where that turns triangles over or strains the sheet, the start of the mesh, if that
+ * is better. */
+static void begin(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *points) {
+  lam_flattening unfolded = {.points = points}, other = {0};
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  double *angles = LAM_NEW(arena, double, mesh->triangle_count);
+  size_t size = (size_t)mesh->vertex_count * sizeof *points;
+  memcpy(points, mesh->start, size);
+  lam_flat_unfold(arena, mesh, angles);
+  make_rigid(arena, mesh, angles, points);
+  lam_flat_measure(mesh, &unfolded);
+  if (unfolded.flips || unfolded.rms_strain > 1e-3) {
+    lam_vec2 *started = LAM_NEW(arena, lam_vec2, mesh->vertex_count);
+    memcpy(started, mesh->start, size);
+    make_rigid(arena, mesh, NULL, started);
+    other.points = started;
+    lam_flat_measure(mesh, &other);
+    if (other.flips < unfolded.flips || (other.flips == unfolded.flips && other.energy < unfolded.energy))
+      memcpy(points, started, size);
+  }
+  lam_arena_release(arena, mark);
+}
+
 lam_flattening lam_flatten(lam_arena *arena, const lam_flat_mesh *mesh) {
   lam_vec2 *points = LAM_NEW(arena, lam_vec2, mesh->vertex_count);
-  memcpy(points, mesh->start, (size_t)mesh->vertex_count * sizeof *points);
   lam_flattening result = {.points = points};
-  make_rigid(arena, mesh, points);
+  begin(arena, mesh, points);
   equalize(arena, mesh, points, &result);
   lam_flat_measure(mesh, &result);
   return result;

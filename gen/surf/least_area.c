@@ -21,11 +21,14 @@ typedef struct least_area {
   const lam_nurbs *nurbs;
   lam_least_area_result result;
   double mean_curvature;
-  bool by_paper;
+  const lam_paper_result *paper; /* NULL: by Newton's method */
 } least_area;
 
-static const char *const inner_weights[] = {"fixed", "free", NULL};
+static const char *const inner_weights[] = {"fixed", "free", "separable", NULL};
+enum { WEIGHTS_FIXED, WEIGHTS_FREE, WEIGHTS_SEPARABLE };
 static const char *const methods[] = {"newton", "paper", NULL};
+enum { METHOD_NEWTON, METHOD_PAPER };
+static const double weight_low = 0.01, weight_high = 30;
 enum { PAPER_HALF = 3, PAPER_STEPS = 100 }; /* Bezier patches of degree 6 */
 
 static bool clamped(int degree, int count, const double *knots) {
@@ -119,40 +122,50 @@ static lam_least_area_result by_newton(lam_arena *arena, const least_area_keys *
   lam_least_area_options options = lam_least_area_defaults();
   options.tolerance = keys->tolerance;
   options.mean_curvature = keys->mean_curvature;
-  if (keys->inner_weights == 0) return lam_least_area_solve(arena, boundary, keys->spans, &options);
+  lam_spline_surface own = *boundary;
+  if (keys->inner_weights == WEIGHTS_SEPARABLE) own = lam_least_area_separable_weights(arena, boundary);
+  if (keys->inner_weights != WEIGHTS_FREE) return lam_least_area_solve(arena, &own, keys->spans, &options);
   lam_least_area_result result = lam_least_area_solve(arena, boundary, 1, &options);
-  result = lam_least_area_weights(arena, &result.surface, 0.01, 30, &options);
+  result = lam_least_area_weights(arena, &result.surface, weight_low, weight_high, &options);
   return keys->spans > 1 ? lam_least_area_solve(arena, &result.surface, keys->spans, &options) : result;
 }
 
-/* The third result of the paper, or with free weights the nearest surface to its first. */
-static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *keys,
-                                      const lam_spline_surface *boundary) {
+/* Of the paper's results the one with the wanted weights. */
+static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *keys, const lam_spline_surface *boundary,
+                                      lam_paper_result *paper) {
   double size = 0;
   for (int k = 0; k < boundary->count[0] * boundary->count[1]; k++)
     size = fmax(size, lam_distance(boundary->points[k], boundary->points[0]));
-  lam_paper_result paper =
-      lam_least_area_paper(arena, boundary, PAPER_HALF, PAPER_HALF, sqrt(keys->tolerance) * size, PAPER_STEPS);
-  lam_least_area_result result = paper.patches;
-  result.surface = keys->inner_weights == 0
-                       ? paper.nurbs
-                       : lam_spline_surface_fit_weights(arena, boundary, &paper.patches.surface, 0.01, 30);
+  *paper = lam_least_area_paper(arena, boundary, PAPER_HALF, PAPER_HALF, sqrt(keys->tolerance) * size, PAPER_STEPS);
+  lam_least_area_result result = paper->patches;
+  if (keys->inner_weights == WEIGHTS_FREE)
+    result.surface = lam_least_area_paper_weights(arena, boundary, &paper->patches.surface, weight_low, weight_high);
+  else
+    result.surface = keys->inner_weights == WEIGHTS_SEPARABLE ? paper->separable : paper->nurbs;
   return result;
 }
+
+static lam_sides_keys *sides_of(void *params) { return &((least_area_keys *)params)->sides; }
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const least_area_keys *keys = params;
   lam_spline_surface boundary;
-  if (!(keys->sides.curves.count ? read_curves : read_net)(arena, keys, place, errors, &boundary)) return NULL;
-  if (keys->mean_curvature != 0 && (keys->inner_weights == 1 || keys->method == 1)) {
+  if (!(keys->sides.curves.count || keys->sides.file ? read_curves : read_net)(arena, keys, place, errors, &boundary))
+    return NULL;
+  if (keys->mean_curvature != 0 && (keys->inner_weights == WEIGHTS_FREE || keys->method == METHOD_PAPER)) {
     lam_error_add(errors, place, "mean_curvature", "%g; expected 0 with free inner weights or method: paper",
                   keys->mean_curvature);
     return NULL;
   }
   least_area *data = LAM_NEW(arena, least_area, 1);
   data->mean_curvature = keys->mean_curvature;
-  data->by_paper = keys->method == 1;
-  data->result = (keys->method == 1 ? by_paper : by_newton)(arena, keys, &boundary);
+  if (keys->method == METHOD_PAPER) {
+    lam_paper_result *paper = LAM_NEW(arena, lam_paper_result, 1);
+    data->result = by_paper(arena, keys, &boundary, paper);
+    data->paper = paper;
+  } else {
+    data->result = by_newton(arena, keys, &boundary);
+  }
   data->nurbs = lam_nurbs_make(arena, &data->result.surface);
   return data;
 }
@@ -164,6 +177,24 @@ static bool domain(const void *data, lam_chart chart, double p[2], double q[2], 
   return lam_nurbs_domain(((const least_area *)data)->nurbs, chart, p, q, closed);
 }
 static const lam_spline_surface *spline(const void *data) { return &((const least_area *)data)->result.surface; }
+
+/* The areas of the paper's results. That on approximated borders may be below the least one. */
+static void report_paper(lam_arena *arena, const lam_paper_result *paper, lam_stage *stage) {
+  const struct {
+    const char *name;
+    const lam_spline_surface *surface;
+  } results[] = {{"area_patches", &paper->patches.surface},
+                 {"area_rational", &paper->rational},
+                 {"area_separable", &paper->separable}};
+  for (size_t k = 0; k < sizeof results / sizeof *results; k++) {
+    double area = lam_surface_area(arena, results[k].surface, results[k].surface->degree[0] + 6);
+    lam_stage_measure_add(arena, stage, (lam_measure){results[k].name, "m2", area, area, area, 1});
+  }
+  lam_stage_note(
+      arena, stage,
+      "area_patches: of Bezier patches on approximated borders; area_rational and area_separable: of rational "
+      "Bezier patches and of the NURBS surface with separable weights, on the exact boundary");
+}
 
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const least_area *s = data;
@@ -178,10 +209,11 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_measure(arena, stage, "mean_curvature_max", "1/m", largest, rms, places);
   lam_stage_note(arena, stage, "%d x %d control points; area and curvature before the surface is placed",
                  shape->count[0], shape->count[1]);
-  lam_stage_note(arena, stage,
-                 s->by_paper ? "area of the patches on approximated borders: %.1e of it away"
-                             : "area by the quadrature that was minimized with: off by %.1e of it",
-                 fabs(s->result.area / area - 1));
+  if (s->paper)
+    report_paper(arena, s->paper, stage);
+  else
+    lam_stage_note(arena, stage, "area by the quadrature that was minimized with: off by %.1e of it",
+                   fabs(s->result.area / area - 1));
   if (s->result.saddles)
     lam_stage_note(arena, stage, "%d stationary surfaces of larger area were left", s->result.saddles);
 }
@@ -231,7 +263,7 @@ static const lam_key keys_table[] = {
      .initial = "newton",
      .choices = methods,
      .doc = "newton: the least area that the spans allow; paper: Bezier patches of degree 6 on approximated borders, "
-            "then the nearest surface on the exact boundary, with separable weights (Wu & Wang); spans is not used."},
+            "then the nearest surface on the exact boundary (Wu & Wang); spans is not used."},
     {.name = "spans",
      .type = LAM_KEY_INTEGER,
      AT(spans),
@@ -247,8 +279,8 @@ static const lam_key keys_table[] = {
      .count = 1,
      .initial = "fixed",
      .choices = inner_weights,
-     .doc = "fixed: inner points have weight 1 before knots are added; free: their weights are sought too, between "
-            "0.01 and 30."},
+     .doc = "fixed: inner points have weight 1 before knots are added; separable: w_i0 w_0j / w_00, as of a product of "
+            "two curves; free: their weights are sought too, between 0.01 and 30."},
     {.name = "mean_curvature",
      .type = LAM_KEY_NUMBER,
      AT(mean_curvature),
@@ -281,6 +313,7 @@ const lam_surface_kind lam_surface_least_area = {
              .source = "Wu & Wang, Designing approximate minimal NURBS surfaces with boundaries interpolation, 2010",
              .keys = keys_table,
              .params_size = sizeof(least_area_keys)},
+    .sides = sides_of,
     .prepare = prepare,
     .eval = eval,
     .domain = domain,

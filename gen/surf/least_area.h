@@ -48,8 +48,9 @@ typedef struct lam_least_area_options {
   double tolerance;      /* stops where the area falls by less than this part of it in one step */
   double enough;         /* stops at or below this area; 0: not */
   int most;              /* steps */
+  bool accept_saddles;   /* does not look whether a stationary surface is a minimum; Newton alone looks */
 } lam_least_area_options;
-/* Newton, no mean curvature, tolerance 1e-11, at most 100 steps. */
+/* Newton, no mean curvature, tolerance 1e-9, at most 100 steps; saddles are left. */
 lam_least_area_options lam_least_area_defaults(void);
 
 typedef struct lam_least_area_result {

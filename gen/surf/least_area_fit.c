@@ -1,4 +1,4 @@
-/* Nearest surfaces with an exact boundary, and the paper's way from a boundary to its three results. */
+/* Least squares between the points of equal parameters of two surfaces, on an exact boundary. */
 #include "core/dense.h"
 #include "core/quadrature.h"
 #include "curve/basis.h"
@@ -180,18 +180,4 @@ double lam_spline_surface_distance(lam_arena *arena, const lam_spline_surface *a
   each_place(arena, b, measure_place, &p);
   lam_arena_release(arena, mark);
   return sqrt(p.sum);
-}
-
-lam_paper_result lam_least_area_paper(lam_arena *arena, const lam_spline_surface *boundary, int r, int p,
-                                      double tolerance, int most) {
-  lam_paper_result result;
-  lam_spline_surface patches = lam_bezier_boundary(arena, boundary, r, p);
-  patches = lam_bezier_borders(arena, &patches);
-  patches = lam_bezier_fill(arena, &patches, LAM_BEZIER_DIRICHLET);
-  result.patches = lam_bezier_iterate(arena, &patches, tolerance, most);
-  lam_spline_surface space = lam_least_area_separable_weights(arena, boundary);
-  result.nurbs = lam_spline_surface_fit(arena, &space, &result.patches.surface);
-  space = lam_spline_surface_pieces(arena, &space);
-  result.rational = lam_spline_surface_fit(arena, &space, &result.patches.surface);
-  return result;
 }

@@ -20,7 +20,7 @@ lam_area_rule lam_area_rule_make(lam_arena *arena, const lam_spline_surface *sur
   const double *knots = surface->knots[d];
   for (int i = p; i < count; i++) spans += knots[i + 1] > knots[i];
   int *first = LAM_NEW(arena, int, spans);
-  double *weights = LAM_NEW(arena, double, spans *places),
+  double *weights = LAM_NEW(arena, double, spans *places), *parameters = LAM_NEW(arena, double, spans *places),
          *values = LAM_NEW(arena, double, spans *places * 2 * (p + 1)), *at = LAM_NEW(arena, double, places),
          *w = LAM_NEW(arena, double, places);
   lam_gauss_rule(places, at, w);
@@ -30,11 +30,12 @@ lam_area_rule lam_area_rule_make(lam_arena *arena, const lam_spline_surface *sur
     first[s] = i - p;
     for (int k = 0; k < places; k++) {
       weights[s * places + k] = width * w[k];
+      parameters[s * places + k] = knots[i] + width * at[k];
       lam_basis_eval(p, knots, i, knots[i] + width * at[k], 1, values + (s * places + k) * 2 * (p + 1));
     }
     s++;
   }
-  return (lam_area_rule){p, spans, places, first, weights, values};
+  return (lam_area_rule){p, spans, places, first, weights, parameters, values};
 }
 
 int lam_area_places(const lam_spline_surface *surface, int along) {
@@ -55,7 +56,7 @@ lam_area_form *lam_area_form_make(lam_arena *arena, const lam_spline_surface *su
   form->surface = *surface;
   form->mean_curvature = mean_curvature;
   for (int d = 0; d < 2; d++) {
-    form->rule[d] = lam_area_rule_make(arena, surface, d, places);
+    form->rule[d] = form->second[d] = lam_area_rule_make(arena, surface, d, places);
     form->inner[d] = surface->count[d] - 2;
   }
   form->local = (surface->degree[0] + 1) * (surface->degree[1] + 1);
@@ -67,9 +68,18 @@ lam_area_form *lam_area_form_make(lam_arena *arena, const lam_spline_surface *su
   return form;
 }
 
-void lam_area_visit(const lam_area_form *form, const lam_vec3 *points, int s, int t, int k, int l,
-                    lam_area_place *place) {
-  const lam_area_rule *ru = &form->rule[0], *rv = &form->rule[1];
+void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form) {
+  enum { along = 16 };
+  for (int d = 0; d < 2; d++) {
+    int few = form->rule[d].degree + 1, places = (along + form->rule[d].spans - 1) / form->rule[d].spans;
+    if (places < few) places = few;
+    if (places < form->rule[d].places) form->second[d] = lam_area_rule_make(arena, &form->surface, d, places);
+  }
+}
+
+static void visit(const lam_area_form *form, const lam_area_rule rule[2], const lam_vec3 *points, int s, int t, int k,
+                  int l, lam_area_place *place) {
+  const lam_area_rule *ru = &rule[0], *rv = &rule[1];
   int p = ru->degree + 1, q = rv->degree + 1, at[2] = {s * ru->places + k, t * rv->places + l};
   const double *f = ru->values + at[0] * 2 * p, *g = rv->values + at[1] * 2 * q, *weights = form->surface.weights;
   int columns = form->surface.count[1], corner = ru->first[s] * columns + rv->first[t];
@@ -103,44 +113,57 @@ void lam_area_visit(const lam_area_form *form, const lam_vec3 *points, int s, in
   place->v = v;
 }
 
+void lam_area_visit(const lam_area_form *form, const lam_vec3 *points, int s, int t, int k, int l,
+                    lam_area_place *place) {
+  visit(form, form->rule, points, s, t, k, l, place);
+}
+
 int lam_area_inner(const lam_area_form *form, int s, int t, int a) {
   int q = form->rule[1].degree + 1, i = form->rule[0].first[s] + a / q - 1, j = form->rule[1].first[t] + a % q - 1;
   return i >= 0 && i < form->inner[0] && j >= 0 && j < form->inner[1] ? i * form->inner[1] + j : -1;
 }
 
-/* What a place adds: fu and fv are weight * derivative of the density by x_u and x_v, fx by x. */
-static void add_slopes(const lam_area_form *form, const lam_area_place *place, lam_vec3 fx, lam_vec3 fu, lam_vec3 fv,
-                       lam_vec3 *slopes) {
+/* The functions of a span that belong to inner points. */
+typedef struct inner_functions {
+  int count, local[LAM_AREA_LOCAL], point[LAM_AREA_LOCAL];
+} inner_functions;
+
+static void find_inner(const lam_area_form *form, int s, int t, inner_functions *inner) {
+  inner->count = 0;
   for (int a = 0; a < form->local; a++) {
-    lam_vec3 sum = lam_along(lam_scale(fu, place->ru[a]), place->rv[a], fv);
-    slopes[a] = lam_add(slopes[a], form->mean_curvature != 0 ? lam_along(sum, place->r[a], fx) : sum);
+    int point = lam_area_inner(form, s, t, a);
+    if (point < 0) continue;
+    inner->local[inner->count] = a;
+    inner->point[inner->count++] = point;
   }
 }
 
-/* s and t n of every pair of functions; metric = weight / a (E, F, G). */
-static void add_pairs(const lam_area_form *form, const lam_area_place *place, const double metric[3], lam_vec3 n) {
-  double w = place->weight, *e = form->element;
-  double nn[6] = {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
-  for (int a = 0; a < form->local; a++) {
-    double fu = place->ru[a], fv = place->rv[a];
-    double su = metric[2] * fu - metric[1] * fv, sv = metric[0] * fv - metric[1] * fu;
-    fu *= w;
-    fv *= w;
-    for (int b = a; b < form->local; b++, e += LAM_AREA_TERMS) {
-      double gu = place->ru[b], gv = place->rv[b], s = su * gu + sv * gv, t = fu * gv - fv * gu;
+/* s, s n n^T and t n of every pair of functions; metric = weight / a (E, F, G). */
+static void add_pairs(const lam_area_form *form, const inner_functions *inner, const lam_area_place *place,
+                      const double metric[3], lam_vec3 n) {
+  double *e = form->element, w = place->weight, u[LAM_AREA_LOCAL], v[LAM_AREA_LOCAL];
+  double symmetric[6] = {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z}, skew[3] = {n.x, n.y, n.z};
+  for (int a = 0; a < inner->count; a++) {
+    u[a] = place->ru[inner->local[a]];
+    v[a] = place->rv[inner->local[a]];
+  }
+  for (int a = 0; a < inner->count; a++) {
+    double su = metric[2] * u[a] - metric[1] * v[a], sv = metric[0] * v[a] - metric[1] * u[a], fu = w * u[a],
+           fv = w * v[a];
+    for (int b = a; b < inner->count; b++, e += LAM_AREA_TERMS) {
+      double s = su * u[b] + sv * v[b], t = fu * v[b] - fv * u[b];
       e[0] += s;
-      for (int c = 0; c < 6; c++) e[1 + c] += s * nn[c];
-      e[7] += t * n.x;
-      e[8] += t * n.y;
-      e[9] += t * n.z;
+      for (int c = 0; c < 6; c++) e[1 + c] += s * symmetric[c];
+      for (int c = 0; c < 3; c++) e[7 + c] += t * skew[c];
     }
   }
 }
 
-static void add_volume_pairs(const lam_area_form *form, const lam_area_place *place) {
+static void add_volume_pairs(const lam_area_form *form, const inner_functions *inner, const lam_area_place *place) {
   double half = form->mean_curvature * place->weight, *e = form->element;
-  for (int a = 0; a < form->local; a++)
-    for (int b = a; b < form->local; b++, e += LAM_AREA_TERMS) {
+  for (int k = 0; k < inner->count; k++)
+    for (int l = k; l < inner->count; l++, e += LAM_AREA_TERMS) {
+      int a = inner->local[k], b = inner->local[l];
       double u = half * (place->r[a] * place->ru[b] - place->r[b] * place->ru[a]);
       double v = half * (place->r[a] * place->rv[b] - place->r[b] * place->rv[a]);
       lam_vec3 t = lam_along(lam_scale(place->v, u), -v, place->u);
@@ -151,70 +174,73 @@ static void add_volume_pairs(const lam_area_form *form, const lam_area_place *pl
 }
 
 /* The sums of one span go to where the points keep them. */
-static void scatter(const lam_area_form *form, int s, int t, const lam_vec3 *slopes, bool pairs) {
+static void scatter(const lam_area_form *form, const inner_functions *inner) {
   const double *e = form->element;
-  int q = form->rule[1].degree + 1;
-  for (int a = 0; a < form->local; a++) {
-    int point = lam_area_inner(form, s, t, a);
-    if (point >= 0) form->gradient[point] = lam_add(form->gradient[point], slopes[a]);
-    for (int b = a; pairs && b < form->local; b++, e += LAM_AREA_TERMS) {
-      if (point < 0 || lam_area_inner(form, s, t, b) < 0) continue;
-      int slot = (b / q - a / q) * (2 * q - 1) + b % q - a % q + q - 1;
-      double *to = form->blocks + ((size_t)point * form->window + slot) * LAM_AREA_TERMS;
+  for (int a = 0; a < inner->count; a++)
+    for (int b = a; b < inner->count; b++, e += LAM_AREA_TERMS) {
+      int slot = lam_area_slot(form, inner->local[a], inner->local[b]);
+      double *to = form->blocks + ((size_t)inner->point[a] * form->window + slot) * LAM_AREA_TERMS;
       for (int c = 0; c < LAM_AREA_TERMS; c++) to[c] += e[c];
     }
+}
+
+static void add_place(const lam_area_form *form, const inner_functions *inner, const lam_area_place *place,
+                      bool dirichlet) {
+  lam_vec3 u = place->u, v = place->v, normal = lam_cross(u, v), n = {0};
+  double E = lam_dot(u, u), F = lam_dot(u, v), G = lam_dot(v, v), a = lam_length(normal), w = place->weight;
+  double least = 1e-14 * (E + G), scale = E + G > 0 ? w / fmax(a, least) : 0;
+  if (dirichlet) {
+    add_pairs(form, inner, place, (double[3]){w, 0, w}, n);
+    return;
   }
+  if (a > least) n = lam_scale(normal, 1 / a);
+  add_pairs(form, inner, place, (double[3]){scale * E, scale * F, scale * G}, n);
+  if (form->mean_curvature != 0) add_volume_pairs(form, inner, place);
 }
 
-typedef enum variation { VALUE, SLOPE, PAIRS } variation;
-
-static double integrate(const lam_area_form *form, const lam_vec3 *points, variation order, bool dirichlet) {
+static void fill_blocks(const lam_area_form *form, const lam_vec3 *points, bool dirichlet) {
   lam_area_place place;
-  double sum = 0, unit[3];
+  inner_functions inner;
+  const lam_area_rule *ru = &form->second[0], *rv = &form->second[1];
   int total = form->inner[0] * form->inner[1];
-  if (order >= SLOPE) memset(form->gradient, 0, (size_t)total * sizeof *form->gradient);
-  if (order == PAIRS) memset(form->blocks, 0, (size_t)total * form->window * LAM_AREA_TERMS * sizeof *form->blocks);
-  for (int s = 0; s < form->rule[0].spans; s++)
-    for (int t = 0; t < form->rule[1].spans; t++) {
-      lam_vec3 slopes[LAM_AREA_LOCAL];
-      if (order >= SLOPE) memset(slopes, 0, (size_t)form->local * sizeof *slopes);
-      if (order == PAIRS)
-        memset(form->element, 0, (size_t)(form->local * (form->local + 1) / 2) * LAM_AREA_TERMS * sizeof(double));
-      for (int k = 0; k < form->rule[0].places; k++)
-        for (int l = 0; l < form->rule[1].places; l++) {
-          lam_area_visit(form, points, s, t, k, l, &place);
-          lam_vec3 u = place.u, v = place.v, normal = lam_cross(u, v), n = {0};
-          double E = lam_dot(u, u), F = lam_dot(u, v), G = lam_dot(v, v), a = lam_length(normal), w = place.weight;
-          double volume = form->mean_curvature != 0 ? 2 * form->mean_curvature / 3 * lam_dot(place.x, normal) : 0;
-          sum += w * (dirichlet ? (E + G) / 2 : a + volume);
-          if (order == VALUE) continue;
-          double least = 1e-14 * (E + G); /* a degenerate place pulls like one that is almost so */
-          unit[0] = dirichlet ? w : w * E / (a > least ? a : least);
-          unit[1] = dirichlet ? 0 : w * F / (a > least ? a : least);
-          unit[2] = dirichlet ? w : w * G / (a > least ? a : least);
-          if (!(E + G > 0)) unit[0] = unit[1] = unit[2] = 0;
-          if (!dirichlet && a > least) n = lam_scale(normal, 1 / a);
-          lam_vec3 fu = lam_along(lam_scale(u, unit[2]), -unit[1], v),
-                   fv = lam_along(lam_scale(v, unit[0]), -unit[1], u);
-          add_slopes(form, &place, lam_scale(normal, 2 * form->mean_curvature * w), fu, fv, slopes);
-          if (order == PAIRS) add_pairs(form, &place, unit, n);
-          if (order == PAIRS && form->mean_curvature != 0) add_volume_pairs(form, &place);
+  memset(form->blocks, 0, (size_t)total * form->window * LAM_AREA_TERMS * sizeof *form->blocks);
+  for (int s = 0; s < ru->spans; s++)
+    for (int t = 0; t < rv->spans; t++) {
+      find_inner(form, s, t, &inner);
+      memset(form->element, 0, (size_t)(inner.count * (inner.count + 1) / 2) * LAM_AREA_TERMS * sizeof(double));
+      for (int k = 0; k < ru->places; k++)
+        for (int l = 0; l < rv->places; l++) {
+          visit(form, form->second, points, s, t, k, l, &place);
+          add_place(form, &inner, &place, dirichlet);
         }
-      if (order >= SLOPE) scatter(form, s, t, slopes, order == PAIRS);
+      scatter(form, &inner);
     }
-  return isfinite(sum) ? sum : INFINITY;
 }
 
-double lam_area_value(const lam_area_form *form, const lam_vec3 *points) {
-  return integrate(form, points, VALUE, false);
-}
-double lam_area_slope(const lam_area_form *form, const lam_vec3 *points) {
-  return integrate(form, points, SLOPE, false);
-}
 double lam_area_vary(const lam_area_form *form, const lam_vec3 *points) {
-  return integrate(form, points, PAIRS, false);
+  fill_blocks(form, points, false);
+  return lam_area_slope(form, points);
 }
-void lam_area_dirichlet(const lam_area_form *form, const lam_vec3 *points) { integrate(form, points, PAIRS, true); }
+void lam_area_blocks(const lam_area_form *form, const lam_vec3 *points) { fill_blocks(form, points, false); }
+
+/* The energy is quadratic: its gradient is its Hessian times the points, those of the boundary included. */
+void lam_area_dirichlet(const lam_area_form *form, const lam_vec3 *points) {
+  lam_area_place place;
+  memset(form->gradient, 0, (size_t)(form->inner[0] * form->inner[1]) * sizeof *form->gradient);
+  for (int s = 0; s < form->second[0].spans; s++)
+    for (int t = 0; t < form->second[1].spans; t++)
+      for (int k = 0; k < form->second[0].places; k++)
+        for (int l = 0; l < form->second[1].places; l++) {
+          visit(form, form->second, points, s, t, k, l, &place);
+          for (int a = 0; a < form->local; a++) {
+            int point = lam_area_inner(form, s, t, a);
+            if (point < 0) continue;
+            lam_vec3 sum = lam_along(lam_scale(place.u, place.ru[a]), place.rv[a], place.v);
+            form->gradient[point] = lam_along(form->gradient[point], place.weight, sum);
+          }
+        }
+  fill_blocks(form, points, true);
+}
 
 void lam_area_move(const lam_area_form *form, const lam_vec3 *from, double t, const lam_vec3 *step, lam_vec3 *to) {
   int total = form->inner[0] * form->inner[1], all = form->surface.count[0] * form->surface.count[1];

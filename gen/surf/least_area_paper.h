@@ -49,16 +49,28 @@ lam_spline_surface lam_spline_surface_fit(lam_arena *arena, const lam_spline_sur
 /* The same with the inner weights sought too, between low and high. */
 lam_spline_surface lam_spline_surface_fit_weights(lam_arena *arena, const lam_spline_surface *space,
                                                   const lam_spline_surface *target, double low, double high);
+/* The surface on the knots, weights and boundary of `start` whose distance along the normals of `target` has the least
+ * mean of squares over u and v, found from start by Gauss-Newton steps. Points of equal parameters need not be near one
+ * another: what the target's parameters and its border miss is not copied. Both have the same domain. */
+lam_spline_surface lam_spline_surface_nearest(lam_arena *arena, const lam_spline_surface *start,
+                                              const lam_spline_surface *target);
 /* root of integral |a - b|^2 du dv, over the spans of b. */
 double lam_spline_surface_distance(lam_arena *arena, const lam_spline_surface *a, const lam_spline_surface *b);
 
-/* The three results of the paper, with their areas. */
+/* ---- all of it ---- */
+/* The results of the paper, and the nearest surface with weight 1 inside, which has less area than that with separable
+ * weights. Those with the exact boundary are nearest to the patches (lam_spline_surface_nearest). */
 typedef struct lam_paper_result {
   lam_least_area_result patches; /* Bezier patches on approximated borders */
-  lam_spline_surface rational;   /* rational Bezier patches, exact boundary */
-  lam_spline_surface nurbs;      /* the knots of the boundary, exact boundary, separable weights */
+  lam_spline_surface rational;   /* rational Bezier patches, exact boundary, from weights 1 inside */
+  lam_spline_surface separable;  /* the knots of the boundary, exact boundary, separable weights */
+  lam_spline_surface nurbs;      /* the knots of the boundary, exact boundary, weights 1 inside */
 } lam_paper_result;
+/* Steps 1 to 6 from Dirichlet energy; r, p: of the Hybrid approximation; tolerance, most: of the iteration. */
 lam_paper_result lam_least_area_paper(lam_arena *arena, const lam_spline_surface *boundary, int r, int p,
                                       double tolerance, int most);
+/* Step 6 with the inner weights sought too, between low and high: by equal parameters, then nearest with these. */
+lam_spline_surface lam_least_area_paper_weights(lam_arena *arena, const lam_spline_surface *boundary,
+                                                const lam_spline_surface *patches, double low, double high);
 
 #endif

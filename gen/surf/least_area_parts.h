@@ -16,6 +16,7 @@ typedef struct lam_area_rule {
   int degree, spans, places; /* places per span */
   const int *first;          /* of the functions on a span */
   const double *weights;     /* spans x places, with the width of the span */
+  const double *at;          /* parameters, spans x places */
   const double *values;      /* spans x places x (value, derivative) x (degree + 1) */
 } lam_area_rule;
 lam_area_rule lam_area_rule_make(lam_arena *arena, const lam_spline_surface *surface, int d, int places);
@@ -29,8 +30,8 @@ typedef struct lam_area_place {
 
 /* The area of a surface with fixed weights and knots, and room for its variations. */
 typedef struct lam_area_form {
-  lam_spline_surface surface; /* its points are not used */
-  lam_area_rule rule[2];
+  lam_spline_surface surface;       /* its points are not used */
+  lam_area_rule rule[2], second[2]; /* for the area and its slope; for the second variation */
   double mean_curvature;
   int local;          /* functions per span */
   int inner[2];       /* free rows and columns */
@@ -42,6 +43,9 @@ typedef struct lam_area_form {
 /* places: Gauss places per span and direction. */
 lam_area_form *lam_area_form_make(lam_arena *arena, const lam_spline_surface *surface, double mean_curvature,
                                   int places);
+/* The second variation by degree + 1 places per span, or as many as make 16 in a direction: it becomes cheaper, steps
+ * change a little, and the surface that they lead to does not. One place less doubles the number of steps. */
+void lam_area_form_coarsen(lam_arena *arena, lam_area_form *form);
 /* Places per span: degree + 3, and more where that gives less than `along` in a direction: a single rational patch can
  * hide area between the places. */
 int lam_area_places(const lam_spline_surface *surface, int along);
@@ -52,12 +56,19 @@ void lam_area_visit(const lam_area_form *form, const lam_vec3 *points, int s, in
 /* Number of the inner point that is local function a of a span, or -1 on the boundary. */
 int lam_area_inner(const lam_area_form *form, int s, int t, int a);
 
+/* Where the block of local functions a and b, b after a or itself, stands in the window of a. */
+static inline int lam_area_slot(const lam_area_form *form, int a, int b) {
+  int q = form->rule[1].degree + 1;
+  return (b / q - a / q) * (2 * q - 1) + b % q - a % q + q - 1;
+}
+
 /* Area + 2 H volume; +infinity where a point is not finite. */
 double lam_area_value(const lam_area_form *form, const lam_vec3 *points);
 /* Fills gradient. */
 double lam_area_slope(const lam_area_form *form, const lam_vec3 *points);
-/* Fills gradient and blocks. */
+/* Fills gradient and blocks; blocks alone. */
 double lam_area_vary(const lam_area_form *form, const lam_vec3 *points);
+void lam_area_blocks(const lam_area_form *form, const lam_vec3 *points);
 /* Gradient and blocks (s alone) of the Dirichlet energy. */
 void lam_area_dirichlet(const lam_area_form *form, const lam_vec3 *points);
 

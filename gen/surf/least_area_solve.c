@@ -60,6 +60,7 @@ static lam_least_area_result minimize(lam_arena *arena, const lam_spline_surface
   result.surface.points = points;
   lam_arena_mark mark = lam_arena_mark_get(arena);
   lam_area_form *form = lam_area_form_make(arena, start, 0, lam_area_places(start, along));
+  if (options->method == LAM_LEAST_AREA_NEWTON) lam_area_form_coarsen(arena, form);
   result.area = lam_area_value(form, points);
   form->mean_curvature = options->mean_curvature;
   static void (*const methods[])(lam_arena *, const lam_area_form *, const lam_least_area_options *, lam_vec3 *,
@@ -80,6 +81,7 @@ lam_least_area_result lam_least_area_solve(lam_arena *arena, const lam_spline_su
                                            const lam_least_area_options *options) {
   lam_spline_surface start = lam_least_area_dirichlet(arena, boundary);
   lam_least_area_options rough = *options; /* the coarse surfaces are only starts */
+  rough.accept_saddles = true;
   rough.tolerance = spans > 1 && options->tolerance < 1e-5 ? 1e-5 : options->tolerance;
   lam_least_area_result sum = minimize(arena, &start, spans > 1 ? &rough : options, spans > 1 ? coarse : fine);
   for (int level = 2, last = 1; last < spans; last = level, level *= 2) {

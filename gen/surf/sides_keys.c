@@ -99,11 +99,94 @@ static void read_curve(const reader *r, lam_spline_curve *side, lam_bspline *acr
   *across = lam_spline_curve_net(r->arena, &vectors, false);
 }
 
-bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits, lam_place place,
-                    lam_errors *errors, lam_sides *sides) {
-  static const char *const ends[] = {"start", "end"};
+/* ---- curves of a file ---- */
+
+static bool fail(lam_errors *errors, lam_place place, const char *key, const char *text) {
+  lam_error_add(errors, place, key, "%s", text);
+  return false;
+}
+
+/* The indices of the four curves to take, from 0. */
+static bool pick(const lam_sides_keys *keys, lam_place place, lam_errors *errors, int chosen[LAM_SIDES]) {
+  const int *picked = keys->pick.items;
+  int count = keys->read_count;
+  if (keys->curves_given) return fail(errors, place, "file", "given beside curves; expected one of them");
+  if (!keys->read) {
+    lam_error_add(errors, place, "file", "%s cannot be read: this caller loads no files", keys->file);
+    return false;
+  }
+  if (count < LAM_SIDES || (count > LAM_SIDES && !keys->pick.count)) {
+    lam_error_add(errors, place, "file", "%s has %d curve%s; expected four%s", keys->file, count, count == 1 ? "" : "s",
+                  count > LAM_SIDES ? ", or pick: with the numbers of four" : "");
+    return false;
+  }
+  if (keys->pick.count && keys->pick.count != LAM_SIDES) {
+    lam_error_add(errors, place, "pick", "%d curves picked; expected 4", keys->pick.count);
+    return false;
+  }
+  for (int i = 0; i < LAM_SIDES; i++) {
+    chosen[i] = keys->pick.count ? picked[i] - 1 : i;
+    if (chosen[i] >= count) {
+      lam_error_add(errors, place, "pick", "curve %d asked for, but %s has %d", chosen[i] + 1, keys->file, count);
+      return false;
+    }
+    for (int k = 0; k < i; k++)
+      if (chosen[k] == chosen[i]) {
+        lam_error_add(errors, place, "pick", "curve %d picked twice; expected four different ones", chosen[i] + 1);
+        return false;
+      }
+  }
+  return true;
+}
+
+/* One curve of the file; what is wrong with it is a message at `file`. */
+static bool take(const lam_named_curve *curve, lam_sides_limits limits, lam_place place, lam_errors *errors) {
+  const lam_spline_curve *c = &curve->spline;
+  bool weighted = false;
+  for (int i = 1; c->weights && i < c->count; i++) weighted |= c->weights[i] != c->weights[0];
+  const char *problem =
+      c->degree <= limits.degree ? lam_knots_problem(c->degree, c->count, c->count + c->degree + 1, c->knots) : NULL;
+  if (c->degree > limits.degree)
+    lam_error_add(errors, place, "file", "curve %s has degree %d; expected at most %d", curve->name, c->degree,
+                  limits.degree);
+  else if (problem)
+    lam_error_add(errors, place, "file", "the knots of curve %s %s", curve->name, problem);
+  else if (weighted && limits.no_weights)
+    lam_error_add(errors, place, "file",
+                  "curve %s is rational (an arc is, too); expected polynomial curves: this surface is polynomial",
+                  curve->name);
+  else
+    return true;
+  return false;
+}
+
+/* ---- sides ---- */
+
+/* What the curves are called in messages. */
+typedef struct given_sides {
+  lam_sides sides;
+  const char *key;              /* of all */
+  const char *names[LAM_SIDES]; /* of each */
+} given_sides;
+
+static bool read_file(const lam_sides_keys *keys, lam_sides_limits limits, lam_place place, lam_errors *errors,
+                      given_sides *given) {
+  int chosen[LAM_SIDES], before = errors->count;
+  given->key = "file";
+  if (!pick(keys, place, errors, chosen)) return false;
+  for (int i = 0; i < LAM_SIDES; i++) {
+    const lam_named_curve *curve = &keys->read[chosen[i]];
+    given->names[i] = lam_arena_printf(errors->arena, "curve %d (%s)", chosen[i] + 1, curve->name);
+    if (take(curve, limits, place, errors)) given->sides.side[i] = curve->spline;
+  }
+  return errors->count == before;
+}
+
+static bool read_numbers(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits, lam_place place,
+                         lam_errors *errors, given_sides *given) {
   int before = errors->count;
-  lam_sides given = {0};
+  given->key = "curves";
+  if (keys->pick.count) return fail(errors, place, "pick", "given without file; expected both");
   if (keys->curves.count != LAM_SIDES) {
     lam_error_add(errors, place, "curves", "%d curves given; expected 4", keys->curves.count);
     return false;
@@ -112,17 +195,31 @@ bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limi
     const lam_side_keys *curve = (const lam_side_keys *)keys->curves.items + i;
     int count = curve->points.count / 3, degree = curve->degree ? curve->degree : count > 3 ? 3 : count - 1;
     reader r = {arena, curve, limits, i, count, degree, keys->unit, place, errors};
-    if (check(&r)) read_curve(&r, &given.side[i], &given.across[i]);
+    given->names[i] = lam_arena_printf(arena, "curves[%d]", i);
+    if (check(&r)) read_curve(&r, &given->sides.side[i], &given->sides.across[i]);
   }
-  if (errors->count > before) return false;
+  return errors->count == before;
+}
+
+bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits, lam_place place,
+                    lam_errors *errors, lam_sides *sides) {
+  static const char *const ends[] = {"start", "end"};
+  given_sides given = {.key = NULL};
+  if (!(keys->file ? read_file(keys, limits, place, errors, &given)
+                   : read_numbers(arena, keys, limits, place, errors, &given)))
+    return false;
   lam_sides_gap gap;
-  if (lam_sides_join(arena, &given, sides, &gap)) return true;
-  if (gap.distance > 0)
-    lam_error_add(errors, place, lam_arena_printf(arena, "curves[%d]", gap.curve[1]),
-                  "its %s lies %.3g m from the %s of curves[%d]; expected four curves that meet end to end",
-                  ends[gap.end[1]], gap.distance, ends[gap.end[0]], gap.curve[0]);
+  if (lam_sides_join(arena, &given.sides, sides, &gap)) return true;
+  if (gap.distance > 0 && keys->file)
+    lam_error_add(
+        errors, place, "file", "the %s of %s lies %.3g m from the %s of %s; expected four curves that meet end to end",
+        ends[gap.end[1]], given.names[gap.curve[1]], gap.distance, ends[gap.end[0]], given.names[gap.curve[0]]);
+  else if (gap.distance > 0)
+    lam_error_add(errors, place, given.names[gap.curve[1]],
+                  "its %s lies %.3g m from the %s of %s; expected four curves that meet end to end", ends[gap.end[1]],
+                  gap.distance, ends[gap.end[0]], given.names[gap.curve[0]]);
   else
-    lam_error_add(errors, place, "curves", "all points are one; expected four curves");
+    lam_error_add(errors, place, given.key, "all points are one; expected four curves");
   return false;
 }
 

@@ -1,4 +1,5 @@
-/* Four boundary curves as designs give them: the keys `curves` and `unit` of every kind of surface over four sides. */
+/* Four boundary curves as designs give them, in numbers or in a file: the keys `curves`, `unit`, `file` and `pick` of
+ * every kind of surface over four sides. */
 #ifndef LAM_SURF_SIDES_KEYS_H
 #define LAM_SURF_SIDES_KEYS_H
 
@@ -13,10 +14,16 @@ typedef struct lam_side_keys {
   int degree;
 } lam_side_keys;
 
-/* A member of the parameters of a kind; filled by LAM_SIDES_KEYS. */
+/* A member of the parameters of a kind; filled by LAM_SIDES_KEYS. The design names the file, and who reads files puts
+ * its curves in before the surface is made. */
 typedef struct lam_sides_keys {
-  lam_list curves; /* of lam_side_keys */
-  int unit;        /* index in lam_point_units */
+  lam_list curves;   /* of lam_side_keys */
+  bool curves_given; /* by the design, not by default */
+  int unit;          /* index in lam_point_units */
+  const char *file;  /* NULL: none */
+  lam_list pick;     /* of int: which of the file's curves, from 1; empty: the file has four */
+  int read_count;
+  const lam_named_curve *read; /* NULL: the file is not read. Sound but for knots that repeat too often */
 } lam_sides_keys;
 
 /* The tables of one curve: with points, weights, knots and degree; the second with `across` too. */
@@ -30,11 +37,30 @@ extern const lam_key lam_side_table[], lam_side_across_table[];
    .initial = text,                                                                                                    \
    .keys = table,                                                                                                      \
    .size = sizeof(lam_side_keys),                                                                                      \
+   .given_offset = offsetof(params, member.curves_given),                                                              \
    .doc = "The four boundary curves, each in either direction, listed around the boundary: v=0, u=0, v=1, u=1, or as " \
           "v=0, v=1, u=0, u=1. They must meet at their ends."},                                                        \
+      {.name = "unit",                                                                                                 \
+       .type = LAM_KEY_CHOICE,                                                                                         \
+       .offset = offsetof(params, member.unit),                                                                        \
+       .count = 1,                                                                                                     \
+       .initial = "m",                                                                                                 \
+       .choices = lam_point_units,                                                                                     \
+       .doc = "Unit of the numbers in points and vectors."},                                                           \
+      LAM_SIDES_FILE_KEYS(params, member)
+#define LAM_SIDES_FILE_KEYS(params, member)                                                                            \
+  {.name = "file",                                                                                                     \
+   .type = LAM_KEY_TEXT,                                                                                               \
+   .offset = offsetof(params, member.file),                                                                            \
+   .count = 1,                                                                                                         \
+   .initial = "~",                                                                                                     \
+   .doc = "In place of curves: a .step, .stp, .igs, .iges, .json or .obj file beside the design with four curves "     \
+          "(splines, "                                                                                                 \
+          "lines or arcs) that meet end to end, in any order and direction. The first is v=0."},                       \
   {                                                                                                                    \
-    .name = "unit", .type = LAM_KEY_CHOICE, .offset = offsetof(params, member.unit), .count = 1, .initial = "m",       \
-    .choices = lam_point_units, .doc = "Unit of the numbers in points and vectors."                                    \
+    .name = "pick", .type = LAM_KEY_INTEGER, .offset = offsetof(params, member.pick), .initial = "[]", .min = 1,       \
+    .max = 1000000,                                                                                                    \
+    .doc = "Which four of the file's curves, counted from 1 in their order in the file; none: it has four."            \
   }
 
 /* What a kind can take. */

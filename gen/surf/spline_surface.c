@@ -59,8 +59,10 @@ void lam_nurbs_eval(const void *data, double u, double v, lam_jet *jet) {
  * which is more than two different curves of these pieces can share. */
 static bool closes_up(const lam_nurbs *s, int d) {
   const double *along = s->shape.knots[1 - d], *across = s->shape.knots[d];
-  double low = across[s->shape.degree[d]], high = across[s->shape.count[d]], size = 0, gap = 0;
+  double low = across[s->shape.degree[d]], high = across[s->shape.count[d]], size = 0, gap = 0, reach = 0;
   int places = 2 * s->shape.degree[1 - d] + 1;
+  for (int k = 0; k < s->shape.count[0] * s->shape.count[1]; k++)
+    reach = fmax(reach, 2 * lam_distance(s->shape.points[0], s->shape.points[k]));
   for (int k = s->shape.degree[1 - d]; k < s->shape.count[1 - d]; k++)
     for (int i = 0; i < places; i++) {
       double t = along[k] + (along[k + 1] - along[k]) * i / places;
@@ -70,6 +72,7 @@ static bool closes_up(const lam_nurbs *s, int d) {
       lam_nurbs_eval(s, d ? t : (low + high) / 2, d ? (low + high) / 2 : t, &middle);
       gap = fmax(gap, lam_distance(a.x, b.x));
       size = fmax(size, lam_distance(a.x, middle.x));
+      if (gap > 1e-12 * reach) return false; /* size stays below reach */
     }
   return gap <= 1e-12 * size;
 }

@@ -36,11 +36,15 @@ typedef struct lam_surface_source {
   const char *file;
   int face;                          /* which of the file's surfaces, from 1 */
   const lam_spline_surface *surface; /* NULL: not read; its numbers need not be sound */
+  const char *note;                  /* for the report: what of the file is not read; NULL: nothing */
 } lam_surface_source;
 
 typedef struct lam_surface_kind {
   lam_row_head head;
   bool reads_file; /* its parameters are a lam_surface_source */
+  /* The keys of its boundary in the parameters (surf/sides_keys.h), whose curves may stand in a file; NULL: it has
+   * none. */
+  struct lam_sides_keys *(*sides)(void *params);
   /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance data". Adds to
    * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL.
    */

@@ -32,6 +32,25 @@ static const lam_vec2 *places_in(lam_arena *arena, frame f, int count, const lam
   return places;
 }
 
+/* On the color scale from 1 to `most`: the mean ratio of the triangles around a vertex. */
+static const lam_vec2 *places_on_scale(lam_arena *arena, const lam_flat_mesh *mesh, const lam_vec2 *layout,
+                                       double most) {
+  int n = mesh->vertex_count, *around = LAM_NEW(arena, int, n);
+  double *ratios = LAM_NEW(arena, double, mesh->triangle_count), margin = 0.5 / picture_size;
+  lam_vec2 *places = LAM_NEW(arena, lam_vec2, n);
+  lam_flat_anisotropy(mesh, layout, ratios);
+  for (int t = 0; t < mesh->triangle_count; t++)
+    for (int k = 0; k < 3; k++) {
+      places[mesh->triangles[t][k]].x += ratios[t];
+      around[mesh->triangles[t][k]]++;
+    }
+  for (int v = 0; v < n; v++) {
+    double share = most > 1 ? (places[v].x / around[v] - 1) / (most - 1) : 0;
+    places[v] = (lam_vec2){margin + (1 - 2 * margin) * share, 0.5};
+  }
+  return places;
+}
+
 static lam_printed printed(const char *name, const lam_flat_mesh *mesh, lam_vec3 *vertices, const lam_vec2 *places) {
   lam_printed sheet = {.name = name, .places = places};
   /* a solid's triangles are not written to after it is made */
@@ -75,7 +94,12 @@ lam_print *lam_print_make(lam_arena *arena, const lam_spline_surface *surface, l
   const lam_vec2 *layouts[2] = {flat, mesh->start}, *places[2];
   f.middle = (lam_vec2){corner.x / 2, corner.y / 2}; /* of the letter: the middle of the rectangle */
   f.size *= 1.25;                                    /* the layouts need not be centered there */
-  for (int k = 0; k < 2; k++) places[k] = places_in(arena, f, n, layouts[k]);
+  double most = 1;
+  for (int k = 0; k < 2; k++)
+    if (layout == LAM_PRINT_COMPARE || (int)layout == k) most = fmax(most, lam_flat_anisotropy(mesh, layouts[k], NULL));
+  for (int k = 0; k < 2; k++)
+    places[k] = motif == LAM_MOTIF_DISTORTION ? places_on_scale(arena, mesh, layouts[k], most)
+                                              : places_in(arena, f, n, layouts[k]);
   print->width = print->height = picture_size;
   print->pixels = lam_motif_draw(arena, motif, corner.x / f.size, corner.y / f.size, picture_size);
   static const char *const names[2] = {"flattening", "parameters"}, *const flat_names[2] = {"flattening-flat",

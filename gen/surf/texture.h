@@ -6,7 +6,13 @@
 #include "core/arena.h"
 #include "core/model.h"
 
-typedef enum lam_motif { LAM_MOTIF_LETTER, LAM_MOTIF_CHECKER } lam_motif;
+typedef enum lam_motif {
+  LAM_MOTIF_LETTER,
+  LAM_MOTIF_CHECKER,
+  /* No picture: every vertex has the color of the distortion around it, the ratio of singular values, from 1 to the
+   * largest on any of the sheets. The picture is the color scale. */
+  LAM_MOTIF_DISTORTION
+} lam_motif;
 extern const char *const lam_motif_names[]; /* NULL-terminated */
 
 typedef enum lam_print_layout {

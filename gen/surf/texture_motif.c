@@ -1,8 +1,9 @@
-/* Pictures that show distortion: a bold letter B on squared paper, a checkerboard. Every pixel is the mean of 4 x 4
- * samples. */
+/* Pictures that show distortion: a bold letter B on squared paper, a checkerboard, a color scale. Every pixel of the
+ * first two is the mean of 4 x 4 samples. */
+#include "core/ramp.h"
 #include "surf/texture.h"
 
-const char *const lam_motif_names[] = {"letter", "checker", NULL};
+const char *const lam_motif_names[] = {"letter", "checker", "distortion", NULL};
 
 enum { SAMPLES = 4, FIELDS = 16 };
 
@@ -30,12 +31,23 @@ static const double *color_at(lam_motif motif, double x, double y, double letter
   return fabs(fx - round(fx)) < 0.035 || fabs(fy - round(fy)) < 0.035 ? line : paper;
 }
 
-static unsigned char encode(double linear) {
-  double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
-  return (unsigned char)(255 * value + 0.5);
+/* From left to right the colors of values. */
+static unsigned char *draw_ramp(lam_arena *arena, int size) {
+  unsigned char *pixels = LAM_NEW(arena, unsigned char, 3 * (size_t)size * (size_t)size);
+  for (int column = 0; column < size; column++) {
+    lam_rgb color = lam_ramp_sequential(column / (size - 1.));
+    for (int row = 0; row < size; row++) {
+      unsigned char *pixel = pixels + 3 * ((size_t)row * (size_t)size + (size_t)column);
+      pixel[0] = (unsigned char)lam_srgb(color.r);
+      pixel[1] = (unsigned char)lam_srgb(color.g);
+      pixel[2] = (unsigned char)lam_srgb(color.b);
+    }
+  }
+  return pixels;
 }
 
 unsigned char *lam_motif_draw(lam_arena *arena, lam_motif motif, double width, double height, int size) {
+  if (motif == LAM_MOTIF_DISTORTION) return draw_ramp(arena, size);
   unsigned char *pixels = LAM_NEW(arena, unsigned char, 3 * (size_t)size * (size_t)size);
   for (int row = 0; row < size; row++)
     for (int column = 0; column < size; column++) {
@@ -46,7 +58,7 @@ unsigned char *lam_motif_draw(lam_arena *arena, lam_motif motif, double width, d
         const double *color = color_at(motif, x, y, 0.9 * fmin(width, height));
         for (int c = 0; c < 3; c++) sum[c] += color[c] / (SAMPLES * SAMPLES);
       }
-      for (int c = 0; c < 3; c++) pixels[3 * ((size_t)row * size + column) + c] = encode(sum[c]);
+      for (int c = 0; c < 3; c++) pixels[3 * ((size_t)row * size + column) + c] = (unsigned char)lam_srgb(sum[c]);
     }
   return pixels;
 }

@@ -1,8 +1,12 @@
 // cad_reader FILE [COPY.step COPY.igs]
 // Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, writes copies of it, and prints what
 // it found in SI units:
-//   faces N / valid 0|1 / area A / boundary L / edges N / free_edges N (of one face only) / loose_edges N (of none) /
-//   loose L box x0 y0 z0 x1 y1 z1 / name NAME point FACE u v x y z   on a grid over each face's parameters
+//   faces N / shells N / closed_shells N / valid 0|1 / area A / boundary L / vertices N (of faces) / edges N /
+//   free_edges N (of one face only) / loose_edges N (of none) / loose L
+//   box x0 y0 z0 x1 y1 z1
+//   point FACE u v x y z             on a grid over each face's parameters
+//   curve LENGTH x0 y0 z0 x1 y1 z1   for each loose edge
+//   name NAME LAYER                  for each B-spline curve that has a name; its layer (STEP) or level (IGES) or -
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -15,6 +19,10 @@
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESControl_Writer.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_EntityIterator.hxx>
+#include <Interface_Graph.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -22,20 +30,56 @@
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
+#include <StepGeom_BSplineCurve.hxx>
+#include <StepVisual_PresentationLayerAssignment.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Shell.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 enum { cells = 4 };
 
 static double length(const TopoDS_Edge &edge) {
   return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge), 1e-12) / 1000;
+}
+
+static void print_name(const char *name, const char *layer) {
+  while (*name == ' ') name++;
+  if (*name) printf("name %s %s\n", name, layer);
+}
+
+static void print_iges_names(const IGESControl_Reader &reader) {
+  Handle(IGESData_IGESModel) model = reader.IGESModel();
+  for (int i = 1; i <= model->NbEntities(); i++) {
+    Handle(IGESData_IGESEntity) entity = model->Entity(i);
+    if (entity->TypeNumber() != 126 || !entity->HasShortLabel() || entity->Level() == 0) continue;
+    print_name(entity->ShortLabel()->ToCString(), std::to_string(entity->Level()).c_str());
+  }
+}
+
+static void print_step_names(const STEPControl_Reader &reader) {
+  Handle(XSControl_WorkSession) session = reader.WS();
+  Handle(Interface_InterfaceModel) model = session->Model();
+  for (int i = 1; i <= model->NbEntities(); i++) {
+    Handle(StepGeom_BSplineCurve) curve = Handle(StepGeom_BSplineCurve)::DownCast(model->Value(i));
+    if (curve.IsNull() || curve->Name().IsNull()) continue;
+    std::string layer = "-";
+    Interface_EntityIterator users = session->Graph().Sharings(curve);
+    for (users.Start(); users.More(); users.Next()) {
+      auto found = Handle(StepVisual_PresentationLayerAssignment)::DownCast(users.Value());
+      if (!found.IsNull()) layer = found->Name()->ToCString();
+    }
+    print_name(curve->Name()->ToCString(), layer.c_str());
+  }
 }
 
 static TopoDS_Shape read(const char *path, int *roots) {
@@ -44,11 +88,13 @@ static TopoDS_Shape read(const char *path, int *roots) {
     IGESControl_Reader reader;
     if (reader.ReadFile(path) != IFSelect_RetDone) return TopoDS_Shape();
     *roots = reader.TransferRoots();
+    print_iges_names(reader);
     return reader.OneShape();
   }
   STEPControl_Reader reader;
   if (reader.ReadFile(path) != IFSelect_RetDone) return TopoDS_Shape();
   *roots = reader.TransferRoots();
+  print_step_names(reader);
   return reader.OneShape();
 }
 
@@ -61,6 +107,22 @@ static void print_points(const TopoDS_Face &face, int number) {
       gp_Pnt p = s.Value(u, v);
       printf("point %d %.17g %.17g %.17g %.17g %.17g\n", number, u, v, p.X() / 1000, p.Y() / 1000, p.Z() / 1000);
     }
+}
+
+static void print_curve(const TopoDS_Edge &edge) {
+  BRepAdaptor_Curve c(edge);
+  gp_Pnt a = c.Value(c.FirstParameter()), b = c.Value(c.LastParameter());
+  printf("curve %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", length(edge), a.X() / 1000, a.Y() / 1000, a.Z() / 1000,
+         b.X() / 1000, b.Y() / 1000, b.Z() / 1000);
+}
+
+static void print_shells(const TopoDS_Shape &shape) {
+  int shells = 0, closed = 0;
+  for (TopExp_Explorer e(shape, TopAbs_SHELL); e.More(); e.Next(), shells++) closed += BRep_Tool::IsClosed(e.Current());
+  TopTools_IndexedMapOfShape vertices;
+  for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
+    TopExp::MapShapes(e.Current(), TopAbs_VERTEX, vertices);
+  printf("shells %d\nclosed_shells %d\nvertices %d\n", shells, closed, vertices.Extent());
 }
 
 static int report(const TopoDS_Shape &shape) {
@@ -80,8 +142,10 @@ static int report(const TopoDS_Shape &shape) {
     if (owners(i).IsEmpty()) {
       loose_edges++;
       loose += length(edge);
+      print_curve(edge);
     }
   }
+  print_shells(shape);
   GProp_GProps area;
   BRepGProp::SurfaceProperties(shape, area, 1e-11);
   Bnd_Box box;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Smooth surfaces there and back: STEP and IGES are read by OpenCASCADE, which knows nothing of this program, and what
 # OpenCASCADE writes is read by this program. Areas and lengths are compared with closed forms (torus, sphere, cylinder)
-# and with integrals over surface.json, evaluated here by the recursion of Cox and de Boor.
+# and with integrals over surface.json, evaluated here by the recursion of Cox and de Boor. Skins have to be one shell of
+# shared edges; lines of nets and axes of lamellas have to arrive as curves with their names, lengths and ends.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 program=$(realpath -m "${LAMELLA:-build/lamella}")
@@ -12,7 +13,7 @@ include=/usr/include/opencascade
 reader=none
 if [ -f $include/STEPControl_Reader.hxx ] && [ -f $include/IGESControl_Reader.hxx ]; then
   reader=$work/cad_reader
-  "${CXX:-g++}" -std=c++17 -O0 -isystem $include tests/cli/cad_reader.cc -o "$reader" -lTKSTEP -lTKIGES -lTKXSBase \
+  "${CXX:-g++}" -std=c++17 -O0 -isystem $include tests/cli/cad_reader.cc -o "$reader" -lTKSTEP -lTKSTEPAttr -lTKSTEPBase -lTKIGES -lTKXSBase \
     -lTKShHealing -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKMath -lTKernel >"$work/log" 2>&1 ||
     { reader=broken; sed 's/^/# /' "$work/log" | head -20; }
 fi
@@ -105,6 +106,20 @@ class Surface:
     def boundary(self):
         return sum(self.length(d, at) for d in (0, 1) for at in self.domain[1 - d])
 
+class Curve:
+    def __init__(self, c):
+        self.name, self.family, self.p, self.n, self.k = c["name"], c["family"], c["degree"], c["count"], c["knots"]
+        self.x = c["points"]
+
+    def speed(self, t):
+        d = [slope(i, self.p, t, self.k, False) for i in range(self.n)]
+        return math.hypot(*(sum(d[i] * self.x[i][m] for i in range(self.n)) for m in range(3)))
+
+    def length(self):
+        inside = sorted(set(self.k))
+        return sum(w * (b - a) / 4 * self.speed(a + (b - a) * (s + half) / 4) for a, b in zip(inside, inside[1:])
+                   for half in range(4) for s, w in gauss)
+
 def gauss_rule(n):  # on [0, 1], by Newton's method on the Legendre polynomial
     rule = []
     for i in range(n):
@@ -147,6 +162,16 @@ nurbs("cylinder", [2, 1], [9, 2], revolve(circle, [(2, 0, 1), (2, 4, 1)]), knots
 nurbs("unclamped", [3, 3], [6, 5], ([(i, j, .3 * math.sin(i + .5 * j)) for i in range(6) for j in range(5)],
       [1 + .1 * ((i * 7) % 5) for i in range(30)]), list(range(10)), list(range(9)))
 
+with open(f"{work}/lines.yaml", "w") as file:
+    file.write("lamella: 1\nname: lines\nsurface: {kind: enneper, size: 4 m}\nnet: {kind: asymptotic, grid: [6, 4]}\n")
+with open(f"{work}/rings.yaml", "w") as file: # pairs of sheets on closed lines: a curve for each pair
+    file.write("lamella: 1\nname: rings\nsurface: {kind: catenoid, size: 3 m}\nnet: {kind: free, grid: [12, 5]}\n"
+               "parts: [{kind: lamella, height: 60 mm, thickness: 1 mm, pair: 20 mm, families: [0]}]\n"
+               "sheets: {stock: [12 m, 6 m]}\n")
+with open(f"{work}/skin.yaml", "w") as file:
+    file.write("lamella: 1\nname: skin\nsurface: {kind: enneper, size: 4 m}\n"
+               "net: {kind: asymptotic, grid: [4, 4], orthogonal: yes}\nparts: [{kind: skin, thickness: 10 mm}]\n")
+
 for kind in ("asymptotic-quad", "developable"):
     design(kind, f"{{kind: {kind}, ground: no}}")
 
@@ -166,15 +191,18 @@ names = list(expected)
 
 def build(name, out, *more):
     return subprocess.run([program, "build", f"{work}/{name}.yaml", "-o", f"{work}/{out}", "--only",
-                           "surface,step,iges", "--quiet", *more], capture_output=True, text=True)
+                           "surface,step,iges,surface_obj", "--quiet", *more], capture_output=True, text=True)
 
 made = {name: build(name, name) for name in names}
 check("surfaces are written as surface.json, STEP and IGES",
       [f"{n}: {made[n].stderr}" for n in names
-       if made[n].returncode or sorted(os.listdir(f"{work}/{n}")) != sorted(["surface.json", n + ".step", n + ".igs"])])
+       if made[n].returncode or sorted(f for f in os.listdir(f"{work}/{n}") if f[0] != ".") != sorted(["surface.json", "surface.obj", n + ".step", n + ".igs"])])
 surfaces = {name: Surface(f"{work}/{name}/surface.json") for name in names}
 areas = {name: surfaces[name].area() for name in names}
 bounds = {name: surfaces[name].boundary() for name in names}
+lined = ["lines", "rings", "skin"]
+made.update({name: build(name, name) for name in lined})
+curves = {name: [Curve(c) for c in json.load(open(f"{work}/{name}/surface.json"))["curves"]] for name in lined}
 off = lambda a, b: abs(a - b) / max(abs(b), 1e-3)
 check("the integrals over surface.json are the closed forms",
       [f"{n}: area {areas[n]!r}, expected {e[2]!r}" for n, e in expected.items() if e[2] and off(areas[n], e[2]) > 1e-10])
@@ -183,11 +211,13 @@ check("the integrals over surface.json are the closed forms",
 
 def read(path, *copies):
     run = subprocess.run([reader, path, *copies], capture_output=True, text=True)
-    facts = {"points": [], "error": run.stderr.strip()}
+    facts = {"points": [], "curves": [], "names": [], "error": run.stderr.strip()}
     for line in run.stdout.splitlines():
         word, *rest = line.split()
-        if word == "point":
-            facts["points"].append([float(v) for v in rest])
+        if word in ("point", "curve"):
+            facts[word + "s"].append([float(v) for v in rest])
+        elif word == "name":
+            facts["names"].append((rest[0], rest[-1]))
         elif word == "box":
             facts[word] = [float(v) for v in rest]
         else:
@@ -196,7 +226,9 @@ def read(path, *copies):
 
 texts = ["OpenCASCADE finds one valid face with its edges, in STEP", "and in IGES, with the sides as curves",
          "areas and boundaries agree to 1e-7", "points agree to 1e-9 at the same parameters",
-         "what OpenCASCADE writes as STEP and as IGES is read: areas agree to 1e-9"]
+         "what OpenCASCADE writes as STEP and as IGES is read: areas agree to 1e-9",
+         "a skin of 16 patches is one open shell of shared edges",
+         "lines and axes arrive with their names and families, lengths to 1e-7 and ends to 1e-9"]
 if reader == "none":
     for text in texts:
         skip(text, "OpenCASCADE is not installed: libocct-data-exchange-dev")
@@ -239,12 +271,65 @@ else:
         elif off(Surface(f"{work}/{n}-{ending}/surface.json").area(), areas[n]) > 1e-9:
             wrong.append(f"{n}.{ending}: another area")
     check(texts[4], wrong)
+    found = {(n, e): read(f"{work}/{n}/{n}.{e}") for n in lined for e in ("step", "igs")}
+    # 4 x 4 cells: 25 vertices, 40 edges, 16 of them on the border; 10 lines of the net besides
+    given = [found["skin", "step"].get(k) for k in
+             ("shells", "closed_shells", "valid", "faces", "vertices", "edges", "free_edges", "loose_edges")]
+    check(texts[5], [] if given == [1, 0, 1, 16, 25, 50, 16, 10] else [f"{given} {found['skin', 'step']['error']}"])
+    wrong = []
+    for (n, ending), f in found.items():
+        level = lambda c: f"{c.family}" if ending == "step" else f"{c.family + 1}"
+        named = [(c.name, level(c)) for c in curves[n]]
+        if [(a, b) for a, b in f["names"]] != named:
+            wrong.append(f"{n}.{ending}: names {f['names'][:5]}..., expected {named[:5]}...")
+        if len(f["curves"]) != len(curves[n]) + (64 if (n, ending) == ("skin", "igs") else 0): # with the sides of patches
+            wrong.append(f"{n}.{ending}: {len(f['curves'])} curves")
+            continue
+        for c, (length, *ends) in zip(curves[n], f["curves"][-len(curves[n]):]):
+            if off(length, c.length()) > 1e-7 or math.dist(ends, c.x[0] + c.x[-1]) > 1e-9:
+                wrong.append(f"{n}.{ending}: {c.name}: {length}, expected {c.length()}; {ends}")
+    check(texts[6], wrong)
+
+# ---- boundaries ----
+
+# A Coons patch over the four curves of a file has the boundary of the surface whose edges they are.
+wrong = []
+framed = ["saddle", "unclamped", "asymptotic-quad", "developable"]
+for n in framed:
+    sources = [f"{n}/{n}.step", f"{n}/{n}.igs"] + ([f"{n}-copy.step", f"{n}-copy.igs"] if os.path.exists(reader) else [])
+    for source in sources:
+        design("frame", f"{{kind: coons, file: {source}, ground: no}}")
+        run = build("frame", f"{n}/frame", "--deps", f"{work}/deps")
+        if run.returncode or source not in open(f"{work}/deps").read():
+            wrong.append(f"{source}: {run.stderr} not among the files that the result depends on")
+        elif off(Surface(f"{work}/{n}/frame/surface.json").boundary(), bounds[n]) > 1e-9:
+            wrong.append(f"{source}: another boundary")
+design("film", "{kind: least-area, file: lines/lines.step, pick: [6, 1, 12, 5], ground: no}")
+border = sum(c.length() for c in curves["lines"] if c.name in ("A01", "A05", "B01", "B07"))
+run = build("film", "film")
+if run.returncode or off(Surface(f"{work}/film/surface.json").boundary(), border) > 1e-9:
+    wrong.append(f"film over the border lines of a net: {run.stderr}")
+check("four curves of a file bound a surface, also those that OpenCASCADE writes", wrong)
+
+# ---- lines ----
+
+wrong = [f"{n}: {made[n].stderr}" for n in lined if made[n].returncode]
+if [c.name for c in curves["lines"]] != [f"A{i:02}" for i in range(1, 6)] + [f"B{i:02}" for i in range(1, 8)]:
+    wrong.append(f"lines: {[c.name for c in curves['lines']]}")
+for c in curves["rings"]:
+    if math.dist(c.x[0], c.x[-1]) > 1e-12 or max(z for x, y, z in c.x) - min(z for x, y, z in c.x) > 1e-9 or c.n != 12 + 3:
+        wrong.append(f"rings: {c.name} is no closed curve through twelve vertices at one height")
+    if abs(c.length() / (2 * math.pi * math.hypot(*c.x[0][:2])) - 1) > 5e-4: # a cubic spline through a circle of 12 points
+        wrong.append(f"rings: {c.name} has length {c.length()}")
+if len(curves["rings"]) != 6:
+    wrong.append(f"rings: {len(curves['rings'])} curves")
+check("lines of a net and axes of lamellas are curves, one for a pair; closed lines close", wrong)
 
 # ---- this program reads ----
 
 wrong = []
 for n in names:
-    for source in ("surface.json", n + ".step", n + ".igs"):
+    for source in ("surface.json", n + ".step", n + ".igs", "surface.obj"):
         design("back", f"{{kind: file, file: {n}/{source}, ground: no}}")
         run = build("back", f"{n}/back", "--deps", f"{work}/deps")
         if run.returncode or f"{n}/{source}" not in open(f"{work}/deps").read():
@@ -253,16 +338,28 @@ for n in names:
         area = Surface(f"{work}/{n}/back/surface.json").area()
         if off(area, areas[n]) > 1e-12:
             wrong.append(f"{n}/{source}: area {area}, expected {areas[n]}")
-check("each of the three files is read: areas agree to 1e-12, and --deps names the file", wrong)
+check("each of the four files is read: areas agree to 1e-12, and --deps names the file", wrong)
+
+with open(f"{work}/assembly.step", "w") as file:
+    file.write(open(f"{work}/saddle/saddle.step").read().replace("ENDSEC;\nEND", "#99999=MAPPED_ITEM('',#1,#2);\nENDSEC;\nEND"))
+design("placed", "{kind: file, file: assembly.step}")
+run = subprocess.run([program, "build", f"{work}/placed.yaml", "-o", f"{work}/placed", "--only", "report"], capture_output=True, text=True)
+check("the report says that an assembly places its components",
+      [] if "in the file components are placed in an assembly" in run.stdout + open(f"{work}/placed/report.json").read()
+      else [run.stdout + run.stderr])
 
 wrong = []
 for text, message in (("missing.step", "surface.file: given missing.step; expected a file that can be read"),
-                      ("saddle.yaml", "saddle.yaml: not a file of surfaces; expected .step, .stp, .igs, .iges or .json"),
+                      ("saddle.yaml", "saddle.yaml: not a file of surfaces; expected .step, .stp, .igs, .iges, .json or .obj"),
                       ("saddle/saddle.step, face: 2", "saddle.step: face 2 asked for, but the file has 1 B-spline surface"),
-                      ("cut.step", "cut.step:9: is cut off: END-ISO-10303-21 expected")):
+                      ("cut.step", "cut.step:9: is cut off: END-ISO-10303-21 expected"),
+                      ("lines/lines.igs, kind: coons", "file: lines/lines.igs has 12 curves; expected four, or pick: with the numbers of four"),
+                      ("lines/lines.igs, pick: [1, 2, 3, 4], kind: coons", "m from the "),
+                      ("missing.igs, kind: coons", "surface.file: given missing.igs; expected a file that can be read"),
+                      ("cut.step, kind: coons", "cut.step:9: is cut off: END-ISO-10303-21 expected")):
     with open(f"{work}/cut.step", "w") as file:
         file.writelines(open(f"{work}/saddle/saddle.step").readlines()[:8])
-    design("bad", f"{{kind: file, file: {text}}}")
+    design("bad", f"{{file: {text}}}" if "kind" in text else f"{{kind: file, file: {text}}}")
     for verb in ("check", "build"):
         run = subprocess.run([program, verb, f"{work}/bad.yaml"], capture_output=True, text=True, cwd=work)
         if run.returncode != 2 or message not in run.stderr or run.stderr.count("\n") != 1:

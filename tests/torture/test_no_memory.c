@@ -80,6 +80,32 @@ static size_t read_meshes(lam_arena *arena, lam_errors *errors) {
   return read;
 }
 
+/* A surface and a curve, written and read in every format that takes them. */
+static size_t exchange_splines(lam_arena *arena, lam_errors *errors) {
+  static const char *const files[][2] = {
+      {"step", "a.step"}, {"iges", "a.igs"}, {"surface", "a.json"}, {"surface_obj", "a.obj"}};
+  static const double u[] = {0, 0, 0, 1, 1, 1}, v[] = {0, 0, 2, 2}, weights[] = {1, 2, 3, 4, 5, 6};
+  static const lam_vec3 points[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, .25}};
+  lam_spline_surface roof = {"roof", {2, 1}, {3, 2}, {u, v}, points, weights};
+  lam_named_curve line = {"A01", 0, {2, 3, u, points, weights}};
+  lam_model model = {
+      .name = "splines", .version = "0", .surface_count = 1, .surfaces = &roof, .curve_count = 1, .curves = &line};
+  size_t read = 0;
+  for (int f = 0; f < 4; f++)
+    for (int k = 0; k < lam_format_count; k++) {
+      if (strcmp(lam_formats[k]->name, files[f][0]) != 0) continue;
+      lam_text text = {.arena = arena};
+      lam_spline_list surfaces;
+      lam_curve_list curves;
+      lam_place place = {files[f][1], 0, 0};
+      const lam_format *reads = lam_format_for(files[f][1]);
+      if (lam_formats[k]->write(&model, 0, &text) != LAM_OK) return 0;
+      if (reads->read_surfaces(arena, text.data, text.length, place, errors, &surfaces)) read += (size_t)surfaces.count;
+      if (reads->read_curves(arena, text.data, text.length, place, errors, &curves)) read += (size_t)curves.count;
+    }
+  return read;
+}
+
 /* What goes wrong on purpose: messages take memory too. */
 static size_t complain(lam_arena *arena, lam_errors *errors) {
   static const char wrong[] =
@@ -161,6 +187,11 @@ static void reading_meshes_survives(void **state) {
   exhaust(read_meshes, 500, 1);
 }
 
+static void exchanging_splines_survives(void **state) {
+  (void)state;
+  exhaust(exchange_splines, 200, 1);
+}
+
 static void complaining_survives(void **state) {
   (void)state;
   exhaust(complain, 300, 1);
@@ -199,11 +230,9 @@ static void what_is_deferred_is_closed(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(what_is_deferred_is_closed),
-      cmocka_unit_test(a_design_survives),
-      cmocka_unit_test(a_net_near_a_reference_survives),
-      cmocka_unit_test(reading_meshes_survives),
-      cmocka_unit_test(complaining_survives),
+      cmocka_unit_test(what_is_deferred_is_closed),      cmocka_unit_test(a_design_survives),
+      cmocka_unit_test(a_net_near_a_reference_survives), cmocka_unit_test(reading_meshes_survives),
+      cmocka_unit_test(exchanging_splines_survives),     cmocka_unit_test(complaining_survives),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -68,6 +68,10 @@ static void a_unit_grid(void **state) {
       {"spacing_v", 0, 20},
       {"edge_strain", undefined, 0},
       {"shear_strain", undefined, 0},
+      {"surface_gauss_curvature", undefined, 0},
+      {"parameter_distortion", 1, 12},
+      {"parameter_stretch", 1, 12},
+      {"parameter_compression", 1, 12},
   };
   lam_mesh meshes[2] = {net_grid(f->arena, 4, 5, net_plane), net_grid(f->arena, 4, 5, turned)};
   for (int i = 0; i < 2; i++) {
@@ -75,7 +79,7 @@ static void a_unit_grid(void **state) {
     int count;
     lam_measuring in = lam_measuring_of(f->arena, &net, meshes[i].vertices);
     lam_measure *all = lam_net_measure(&in, NULL, &count);
-    assert_int_equal(count, sizeof rows / sizeof *rows); /* every measure has a row here */
+    assert_int_equal(count, sizeof rows / sizeof *rows); /* every measure has a row here, but the slow ones */
     for (int k = 0; k < count; k++) {
       int r = 0;
       while (r < count && strcmp(all[k].name, rows[r].name) != 0) r++;

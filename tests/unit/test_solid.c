@@ -287,6 +287,20 @@ static void a_component_that_cuts_itself_is_answered(void **state) {
   assert_near(overlap_of(&bar, &plate, NULL), 4.75, 1e-13);
 }
 
+/* Of a torus of 2 x 96 x 64 triangles (a large mesh, answered by integration) a box around the half x > 0 holds half the
+ * volume, for the torus is symmetric. The whole volume comes from
+ * the divergence theorem. */
+static void a_large_mesh_and_a_box(void **state) {
+  lam_trimesh torus = mesh_torus(*state, 3, 1, 96, 64);
+  double whole = measured(&torus).volume;
+  lam_trimesh right = mesh_box(*state, lam_v3(0, -5, -2), lam_v3(5, 5, 2));
+  lam_trimesh low = mesh_box(*state, lam_v3(-5, -5, -2), lam_v3(5, 5, 0));
+  assert_near(overlap_of(&torus, &right, NULL), whole / 2, 1e-12 * whole);
+  assert_near(overlap_of(&torus, &low, NULL), whole / 2, 1e-12 * whole);
+  lam_trimesh beside = mesh_box(*state, lam_v3(-1, -1, -2), lam_v3(1, 1, 2)); /* in the hole */
+  assert_near(overlap_of(&torus, &beside, NULL), 0, 0);
+}
+
 /* Integration and corefinement share no code: they must agree on any pair of solids. */
 static void integration_agrees_with_corefinement(void **state) {
   lam_trimesh torus = mesh_torus(*state, 3, 1, 24, 16);
@@ -445,6 +459,7 @@ int main(void) {
       TEST(an_intersection_that_is_no_manifold),
       TEST(overlapping_components_count_twice),
       TEST(a_component_that_cuts_itself_is_answered),
+      TEST(a_large_mesh_and_a_box),
       TEST(integration_agrees_with_corefinement),
       TEST(candidates_are_the_pairs_with_common_boxes),
       TEST(many_solids_are_checked_quickly),

@@ -1,0 +1,108 @@
+/* Smooth curves along polylines of nets. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "curve/curve.h"
+#include "net/line_curve.h"
+#include <stdio.h>
+
+static int set_up(void **state) { return (*state = lam_arena_new()) == NULL; }
+static int tear_down(void **state) {
+  lam_arena_free(*state);
+  return 0;
+}
+
+static void assert_near(double value, double expected, double tolerance, const char *what) {
+  if (!(fabs(value - expected) <= tolerance))
+    fail_msg("%s: %.17g, expected %.17g +- %.1e", what, value, expected, tolerance);
+}
+
+enum { most = 64 };
+static int order[most];
+
+static lam_polyline line_of(int count, bool closed) {
+  for (int i = 0; i < most; i++) order[i] = most - 1 - i; /* of vertices in another order than the line's */
+  return (lam_polyline){0, closed, count, order};
+}
+
+/* The curve's jet at t from the right, or from the left at the end of a piece. */
+static void jet(const lam_spline_curve *c, double t, lam_vec3 x[4]) { lam_spline_curve_eval(c, t, 3, x); }
+
+/* At chord-length parameters, the curve is at the vertices; between knots, second derivatives go on. */
+static void vertices_are_interpolated(void **state) {
+  lam_vec3 x[most];
+  for (int i = 0; i < most; i++) x[most - 1 - i] = lam_v3(i, 0.1 * i * i, sin(0.7 * i));
+  for (int count = 2; count < 20; count++) {
+    lam_polyline line = line_of(count, false);
+    lam_spline_curve c = lam_polyline_curve(*state, x, &line);
+    assert_null(lam_spline_curve_problem(&c));
+    assert_int_equal(c.degree, count < 4 ? count - 1 : 3);
+    assert_int_equal(c.count, count);
+    double total = 0, t = 0;
+    for (int i = 1; i < count; i++) total += lam_distance(x[order[i]], x[order[i - 1]]);
+    for (int i = 0; i < count; i++) {
+      lam_vec3 at[4], before[4], after[4];
+      if (i) t += lam_distance(x[order[i]], x[order[i - 1]]) / total;
+      t = fmin(t, 1);
+      jet(&c, t, at);
+      assert_near(lam_distance(at[0], x[order[i]]), 0, 1e-12, "vertex");
+      if (i == 0 || i == count - 1) continue;
+      jet(&c, t - 1e-9, before);
+      jet(&c, t + 1e-9, after);
+      assert_near(lam_distance(before[2], after[2]), 0, 1e-4 * (1 + lam_length(at[2])), "second derivative");
+    }
+  }
+}
+
+/* A closed line comes back to its start with the same first and second derivatives. Through n points of a circle of
+ * radius 1, an angle a apart, the C2 cubic over equal steps has derivatives D with D (4 + 2 cos a) = 6 sin a there
+ * (from D_(i-1) + 4 D_i + D_(i+1) = 3 (P_(i+1) - P_(i-1))), and lies cos(a/2) + D sin(a/2) / 4 from the center halfway.
+ */
+static void closed_lines_close(void **state) {
+  static const int counts[] = {4, 5, 12, 40};
+  for (int k = 0; k < 4; k++) {
+    int n = counts[k];
+    double pi = 3.14159265358979323846;
+    lam_vec3 x[most];
+    for (int i = 0; i < most; i++) x[most - 1 - i] = lam_v3(cos(2 * pi * i / n), sin(2 * pi * i / n), 0);
+    lam_polyline line = line_of(n, true);
+    lam_spline_curve c = lam_polyline_curve(*state, x, &line);
+    lam_vec3 start[4], end[4], middle[4];
+    jet(&c, 0, start);
+    jet(&c, 1, end);
+    assert_near(c.knots[0], 0, 0, "domain");
+    assert_near(c.knots[c.count], 1, 0, "domain");
+    for (int d = 0; d < 3; d++)
+      assert_near(lam_distance(start[d], end[d]), 0, 1e-11 * (1 + lam_length(start[d])), "derivative at the seam");
+    double a = 2 * pi / n, halfway = cos(a / 2) + 6 * sin(a) / (4 + 2 * cos(a)) * sin(a / 2) / 4;
+    for (int i = 0; i < n; i++) {
+      jet(&c, (i + 0.5) / n, middle);
+      assert_near(lam_length(middle[0]), halfway, 1e-11, "radius halfway");
+    }
+  }
+}
+
+/* Vertices in one place count once; a line of nothing else is none. */
+static void repeated_vertices_count_once(void **state) {
+  lam_vec3 x[most];
+  for (int i = 0; i < most; i++) x[most - 1 - i] = lam_v3(i / 2, i / 2 % 3, 0);
+  lam_polyline line = line_of(12, false);
+  assert_int_equal(lam_polyline_curve(*state, x, &line).count, 6);
+  line = line_of(2, true);
+  assert_int_equal(lam_polyline_curve(*state, x, &line).count, 0);
+}
+
+#define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      TEST(vertices_are_interpolated),
+      TEST(closed_lines_close),
+      TEST(repeated_vertices_count_once),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
