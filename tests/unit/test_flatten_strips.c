@@ -125,8 +125,7 @@ static void minimax_surfaces_are_laid_flat(void **state) {
   dev_fixture *f = *state;
   static const char *const names[] = {"D3", "D6"};
   for (int k = 0; k < 2; k++) {
-    lam_four_sides b = dev_boundary(f->arena, dev_case(f, names[k]));
-    lam_spline_surface s = lam_coons_surface(f->arena, &b);
+    lam_spline_surface s = dev_coons(f->arena, dev_case(f, names[k]));
     lam_developable_solve(f->arena, &s, (lam_developable_options){.method = LAM_DEVELOPABLE_MINIMAX});
     lam_flat_mesh mesh = lam_flat_grid(f->arena, &s, 40, LAM_FLAT_GEODESICS);
     lam_flattening flat = lam_flatten(f->arena, &mesh);
