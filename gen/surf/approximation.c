@@ -10,6 +10,7 @@ enum { MAX_COUNT = 100, MAX_CORRECTIONS = 50 };
 
 typedef struct approximation_keys {
   lam_list points;
+  lam_point_file cloud; /* in place of points */
   int unit, grid[2], count[2], degree[2], corrections;
   double fairness;
 } approximation_keys;
@@ -20,15 +21,34 @@ typedef struct approximation_data {
   double most, mean, before; /* distances of the points, m: in the end; mean before parameters were corrected */
 } approximation_data;
 
-static bool check(const approximation_keys *keys, lam_place place, lam_errors *errors) {
-  static const char *const directions[] = {"u", "v"};
-  int given = keys->points.count, before = errors->count, total = keys->grid[0] * keys->grid[1];
-  if (given % 3 || given < 12)
+/* The points in meters; NULL with a message when there are too few. */
+static const lam_vec3 *points_of(lam_arena *arena, const approximation_keys *keys, lam_place place, lam_errors *errors,
+                                 int *count) {
+  int given = keys->points.count;
+  *count = keys->cloud.file ? keys->cloud.count : given / 3;
+  if (keys->cloud.file && !keys->cloud.points) {
+    lam_error_add(errors, place, "file", "%s cannot be read: this caller loads no files", keys->cloud.file);
+  } else if (keys->cloud.file && *count < 4) {
+    lam_error_add(errors, place, "file", "%s has %d points; expected 4 or more", keys->cloud.file, *count);
+  } else if (!keys->cloud.file && (given % 3 || given < 12)) {
     lam_error_add(errors, place, "points", "%d numbers given; expected x, y and z of 4 points or more", given);
-  else if ((keys->grid[0] || keys->grid[1]) && (keys->grid[0] < 2 || keys->grid[1] < 2 || given != 3 * total))
+  } else if (keys->cloud.file) {
+    lam_vec3 *points = LAM_NEW(arena, lam_vec3, *count);
+    for (int k = 0; k < *count; k++) points[k] = lam_scale(keys->cloud.points[k], lam_point_unit(keys->unit));
+    return points;
+  } else {
+    return lam_points_read(arena, &keys->points, keys->unit);
+  }
+  return NULL;
+}
+
+static bool check(const approximation_keys *keys, int count, lam_place place, lam_errors *errors) {
+  static const char *const directions[] = {"u", "v"};
+  int before = errors->count, total = keys->grid[0] * keys->grid[1];
+  if ((keys->grid[0] || keys->grid[1]) && (keys->grid[0] < 2 || keys->grid[1] < 2 || count != total))
     lam_error_add(errors, place, "grid",
                   "%d x %d with %d points; expected two numbers whose product is that, or [0, 0]", keys->grid[0],
-                  keys->grid[1], given / 3);
+                  keys->grid[1], count);
   for (int d = 0; d < 2; d++)
     if (keys->degree[d] >= keys->count[d])
       lam_error_add(errors, place, "degree", "degree %d in direction %s; expected at most %d with %d control points",
@@ -54,9 +74,9 @@ static bool grid_parameters(lam_arena *arena, const int grid[2], const lam_vec3 
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const approximation_keys *keys = params;
-  if (!check(keys, place, errors)) return NULL;
-  int total = keys->points.count / 3;
-  const lam_vec3 *points = lam_points_read(arena, &keys->points, keys->unit);
+  int total;
+  const lam_vec3 *points = points_of(arena, keys, place, errors, &total);
+  if (!points || !check(keys, total, place, errors)) return NULL;
   lam_vec2 *t = LAM_NEW(arena, lam_vec2, total);
   lam_surface_space space = {.fairness = keys->fairness};
   for (int d = 0; d < 2; d++) {
@@ -98,6 +118,8 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_note(arena, stage, "mean distance before the parameters were corrected: %.4g m", d->before);
 }
 
+static lam_point_file *cloud_of(void *params) { return &((approximation_keys *)params)->cloud; }
+
 #define AT(member) .offset = offsetof(approximation_keys, member)
 static const lam_key keys[] = {
     {.name = "points",
@@ -113,6 +135,14 @@ static const lam_key keys[] = {
          " 11.7, -0.2, 0.64,  12.0, 2.0, 0.61,  11.9, 4.1, 0.65,  12.1, 6.1, 0.67,  12.1, 8.0, 0.70,  11.9, 10.2, "
          "0.66]",
      .doc = "x, y, z of every point, in any order; with grid, v running fastest."},
+    {.name = "file",
+     .type = LAM_KEY_TEXT,
+     AT(cloud.file),
+     .count = 1,
+     .initial = "~",
+     .doc =
+         "In place of points: a file beside the design, .xyz, .pts, .csv, .txt or .asc with x, y and z in every line, "
+         "or the vertices of an .obj or .stl mesh."},
     {.name = "unit",
      .type = LAM_KEY_CHOICE,
      AT(unit),
@@ -180,6 +210,7 @@ const lam_surface_kind lam_surface_approximation = {
              .source = "Hoschek & Lasser, Fundamentals of CAGD, 4.4; Piegl & Tiller, The NURBS Book, 9.4",
              .keys = keys,
              .params_size = sizeof(approximation_keys)},
+    .points = cloud_of,
     .prepare = prepare,
     .eval = lam_held_nurbs_eval,
     .domain = lam_held_nurbs_domain,
