@@ -8,9 +8,12 @@
 
 enum { MAX_COUNT = 100, MAX_CORRECTIONS = 50 };
 
+enum { EVEN, DENSE };
+static const char *const knot_names[] = {[EVEN] = "even", [DENSE] = "dense", NULL};
+
 typedef struct approximation_keys {
   lam_point_keys points;
-  int grid[2], count[2], degree[2], corrections;
+  int grid[2], count[2], degree[2], corrections, knots;
   double fairness;
 } approximation_keys;
 
@@ -69,6 +72,8 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
                   "that spread over a surface");
     return NULL;
   }
+  for (int d = 0; d < 2 && keys->knots == DENSE; d++)
+    space.knots[d] = lam_surface_knots(arena, space.degree[d], space.count[d], total, t, d);
   approximation_data *data = LAM_NEW(arena, approximation_data, 1);
   lam_spline_surface surface;
   data->total = total;
@@ -137,6 +142,13 @@ static const lam_key keys[] = {
      .min = 1,
      .max = LAM_BASIS_MAX_DEGREE,
      .doc = "Degree in u and in v."},
+    {.name = "knots",
+     .type = LAM_KEY_CHOICE,
+     AT(knots),
+     .count = 1,
+     .initial = "even",
+     .choices = knot_names,
+     .doc = "even: control points are spread evenly; dense: as the points are, more of them where the scan is denser."},
     {.name = "fairness",
      .type = LAM_KEY_NUMBER,
      AT(fairness),
