@@ -120,6 +120,12 @@ static bool load_curves(void *context, lam_arena *arena, const char *path, lam_p
   return lam_input_curves(arena, beside(context, arena, path), errors, count, curves);
 }
 
+static bool load_points(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors,
+                        int *count, const lam_vec3 **points) {
+  (void)place;
+  return lam_input_points(arena, beside(context, arena, path), errors, count, points);
+}
+
 /* Builds another design as far as its net. */
 static bool load_net(void *context, lam_arena *arena, const char *name, lam_place place, lam_errors *errors,
                      lam_mesh *mesh) {
@@ -148,7 +154,8 @@ static bool load_net(void *context, lam_arena *arena, const char *name, lam_plac
                        .context = &files,
                        .net = load_net,
                        .surface = load_surface,
-                       .curves = load_curves};
+                       .curves = load_curves,
+                       .points = load_points};
   if (errors->count > before || !lam_design_build(arena, &design, &loader, NULL, errors, &model)) return false;
   if (!model.net)
     lam_error_add(errors, place, "net.from.design", "%s has no net", files.design);
@@ -242,7 +249,8 @@ static int build(lam_arena *arena, int argc, char **argv) {
                        .context = &files,
                        .net = load_net,
                        .surface = load_surface,
-                       .curves = load_curves};
+                       .curves = load_curves,
+                       .points = load_points};
   lam_progress progress = lam_terminal_progress(arena, given.quiet);
   lam_model *model = LAM_NEW(arena, lam_model, 1);
   if (!lam_design_build(arena, design, &loader, &progress, &errors, model)) {

@@ -1,6 +1,9 @@
 #include "cli/mesh_files.h"
 #include "core/file.h"
 #include "formats/format.h"
+#include "formats/points.h"
+#include <string.h>
+#include <strings.h>
 
 enum { largest_mesh_file = 1 << 30 };
 
@@ -72,5 +75,33 @@ bool lam_input_curves(lam_arena *arena, const char *path, lam_errors *errors, in
   if (!format->read_curves(arena, bytes, size, place, errors, &read)) return false;
   *count = read.count;
   *curves = read.items;
+  return true;
+}
+
+/* Whether the file is text with a point in each line, by its ending. */
+static bool is_point_list(const char *path) {
+  static const char *const endings[] = {".xyz", ".pts", ".csv", ".txt", ".asc"};
+  const char *ending = strrchr(path, '.');
+  for (size_t i = 0; ending && i < sizeof endings / sizeof endings[0]; i++)
+    if (strcasecmp(ending, endings[i]) == 0) return true;
+  return false;
+}
+
+bool lam_input_points(lam_arena *arena, const char *path, lam_errors *errors, int *count, const lam_vec3 **points) {
+  lam_place place = {.file = path};
+  char *bytes;
+  size_t size;
+  if (is_point_list(path))
+    return lam_file_read(arena, path, largest_mesh_file, errors, &bytes, &size) == LAM_OK &&
+           lam_points_parse(arena, bytes, size, place, errors, count, points);
+  const lam_format *format = lam_format_for(path);
+  lam_trimesh mesh;
+  if (!format || !format->read_triangles) {
+    lam_error_add(errors, place, NULL, "not a file of points; expected .xyz, .pts, .csv, .txt, .asc, .obj or .stl");
+    return false;
+  }
+  if (!lam_input_triangles(arena, path, errors, &mesh)) return false;
+  *count = mesh.vertex_count;
+  *points = mesh.vertices;
   return true;
 }

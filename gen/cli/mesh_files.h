@@ -14,5 +14,7 @@ bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors 
 /* All curves of a file. */
 bool lam_input_curves(lam_arena *arena, const char *path, lam_errors *errors, int *count,
                       const lam_named_curve **curves);
+/* All points of a file: of text, or the vertices of a mesh. */
+bool lam_input_points(lam_arena *arena, const char *path, lam_errors *errors, int *count, const lam_vec3 **points);
 
 #endif

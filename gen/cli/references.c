@@ -42,6 +42,12 @@ static void check_surface(const lam_design *design, lam_errors *errors) {
     const char *path = beside(design, sides->file, errors->arena);
     if (!lam_input_curves(errors->arena, path, errors, &sides->read_count, &sides->read)) return;
   }
+  lam_point_file *cloud = kind->points ? kind->points(row->params) : NULL;
+  if (cloud && cloud->file) {
+    if (!check_file(design, cloud->file, row->place, "surface.file", errors)) return;
+    const char *path = beside(design, cloud->file, errors->arena);
+    if (!lam_input_points(errors->arena, path, errors, &cloud->count, &cloud->points)) return;
+  }
   lam_surface_make(errors->arena, row, errors);
 }
 

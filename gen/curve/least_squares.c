@@ -4,7 +4,7 @@
 #include "curve/interpolate.h"
 
 /* Inner knot j at the place j n / (count - degree) of the list of parameters (Piegl & Tiller, eq. 9.68 and 9.69). */
-static double *choose_knots(lam_arena *arena, int degree, int count, int n, const double *t) {
+double *lam_fit_knots(lam_arena *arena, int degree, int count, int n, const double *t) {
   double *knots = LAM_NEW(arena, double, count + degree + 1), step = (double)n / (count - degree);
   for (int i = 0; i <= degree; i++) {
     knots[i] = t[0];
@@ -34,7 +34,7 @@ static lam_fit_error measure(const lam_spline_curve *curve, int n, const double 
 /* Normal equations of the inner control points; the end points are the first and the last point. */
 bool lam_fit_curve(lam_arena *arena, int degree, int count, const double *knots, int n, const double *t,
                    const lam_vec3 *points, lam_spline_curve *curve, lam_fit_error *error) {
-  if (!knots) knots = choose_knots(arena, degree, count, n, t);
+  if (!knots) knots = lam_fit_knots(arena, degree, count, n, t);
   lam_vec3 *net = LAM_NEW(arena, lam_vec3, count);
   lam_spline_curve fit = {degree, count, knots, net, NULL};
   int unknowns = count - 2;

@@ -9,6 +9,10 @@ typedef struct lam_fit_error {
   double max, rms;
 } lam_fit_error;
 
+/* count + degree + 1 clamped knots for n ascending parameters, so that every piece holds about as many of them.
+ * Preconditions: degree < count <= n. */
+double *lam_fit_knots(lam_arena *arena, int degree, int count, int n, const double *t);
+
 /* The curve with `count` control points through the first and the last of n points and nearest to all others at
  * parameters t (sum of squares). knots: count + degree + 1, or NULL: chosen so that every piece holds about as many
  * parameters. False when the knots leave a function without points; *curve is not set then. Preconditions: degree <

@@ -246,6 +246,11 @@ static bool make_surface(pipeline *p) {
       !p->loader->curves(p->loader->context, p->arena, sides->file, row->place, p->errors, &sides->read_count,
                          &sides->read))
     return false;
+  lam_point_file *cloud = kind->points ? kind->points(row->params) : NULL;
+  if (cloud && cloud->file && p->loader && p->loader->points &&
+      !p->loader->points(p->loader->context, p->arena, cloud->file, row->place, p->errors, &cloud->count,
+                         &cloud->points))
+    return false;
   p->surface = lam_surface_make(p->arena, row, p->errors);
   return p->errors->count == before;
 }

@@ -21,6 +21,9 @@ typedef struct lam_loader {
   /* All curves of a file. May be NULL. */
   bool (*curves)(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors, int *count,
                  const lam_named_curve **curves);
+  /* All points of a file. May be NULL. */
+  bool (*points)(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors, int *count,
+                 const lam_vec3 **points);
 } lam_loader;
 
 /* Builds the model of a parsed design. loader and progress may be NULL. Wrong input adds to errors and returns false; a

@@ -1,16 +1,19 @@
 /* Spline surfaces near measured points. */
 #include "curve/basis.h"
 #include "fab/workshop.h"
-#include "surf/sides_keys.h"
+#include "surf/point_keys.h"
 #include "surf/spline_near.h"
 #include "surf/spline_surface.h"
 #include "surf/spline_through.h"
 
 enum { MAX_COUNT = 100, MAX_CORRECTIONS = 50 };
 
+enum { EVEN, DENSE };
+static const char *const knot_names[] = {[EVEN] = "even", [DENSE] = "dense", NULL};
+
 typedef struct approximation_keys {
-  lam_list points;
-  int unit, grid[2], count[2], degree[2], corrections;
+  lam_point_keys points;
+  int grid[2], count[2], degree[2], corrections, knots;
   double fairness;
 } approximation_keys;
 
@@ -20,15 +23,13 @@ typedef struct approximation_data {
   double most, mean, before; /* distances of the points, m: in the end; mean before parameters were corrected */
 } approximation_data;
 
-static bool check(const approximation_keys *keys, lam_place place, lam_errors *errors) {
+static bool check(const approximation_keys *keys, int count, lam_place place, lam_errors *errors) {
   static const char *const directions[] = {"u", "v"};
-  int given = keys->points.count, before = errors->count, total = keys->grid[0] * keys->grid[1];
-  if (given % 3 || given < 12)
-    lam_error_add(errors, place, "points", "%d numbers given; expected x, y and z of 4 points or more", given);
-  else if ((keys->grid[0] || keys->grid[1]) && (keys->grid[0] < 2 || keys->grid[1] < 2 || given != 3 * total))
+  int before = errors->count, total = keys->grid[0] * keys->grid[1];
+  if ((keys->grid[0] || keys->grid[1]) && (keys->grid[0] < 2 || keys->grid[1] < 2 || count != total))
     lam_error_add(errors, place, "grid",
                   "%d x %d with %d points; expected two numbers whose product is that, or [0, 0]", keys->grid[0],
-                  keys->grid[1], given / 3);
+                  keys->grid[1], count);
   for (int d = 0; d < 2; d++)
     if (keys->degree[d] >= keys->count[d])
       lam_error_add(errors, place, "degree", "degree %d in direction %s; expected at most %d with %d control points",
@@ -54,9 +55,9 @@ static bool grid_parameters(lam_arena *arena, const int grid[2], const lam_vec3 
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const approximation_keys *keys = params;
-  if (!check(keys, place, errors)) return NULL;
-  int total = keys->points.count / 3;
-  const lam_vec3 *points = lam_points_read(arena, &keys->points, keys->unit);
+  int total;
+  const lam_vec3 *points = lam_points_given(arena, &keys->points, 4, place, errors, &total);
+  if (!points || !check(keys, total, place, errors)) return NULL;
   lam_vec2 *t = LAM_NEW(arena, lam_vec2, total);
   lam_surface_space space = {.fairness = keys->fairness};
   for (int d = 0; d < 2; d++) {
@@ -71,6 +72,8 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
                   "that spread over a surface");
     return NULL;
   }
+  for (int d = 0; d < 2 && keys->knots == DENSE; d++)
+    space.knots[d] = lam_surface_knots(arena, space.degree[d], space.count[d], total, t, d);
   approximation_data *data = LAM_NEW(arena, approximation_data, 1);
   lam_spline_surface surface;
   data->total = total;
@@ -98,28 +101,21 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_note(arena, stage, "mean distance before the parameters were corrected: %.4g m", d->before);
 }
 
+static lam_point_file *cloud_of(void *params) { return &((approximation_keys *)params)->points.cloud; }
+
 #define AT(member) .offset = offsetof(approximation_keys, member)
 static const lam_key keys[] = {
-    {.name = "points",
-     .type = LAM_KEY_NUMBER,
-     AT(points),
-     .initial =
-         "[-0.3, 0.0, 0.02,  0.1, 2.1, 0.15,  -0.5, 4.3, 0.21,  -0.3, 6.5, 0.32,  0.3, 8.0, 0.41,  -0.3, 10.1, 0.14,"
-         " 2.0, 0.2, 0.27,  1.6, 2.3, 0.47,  1.8, 3.5, 0.77,  2.0, 6.2, 1.09,  2.2, 8.4, 0.85,  2.3, 9.9, 0.60,"
-         " 4.4, -0.4, 0.35,  3.7, 2.5, 0.91,  4.1, 3.8, 1.38,  3.9, 5.9, 1.69,  4.1, 8.4, 1.33,  4.4, 10.4, 0.81,"
-         " 6.2, -0.3, 0.50,  6.5, 2.4, 1.02,  6.2, 3.7, 1.44,  6.1, 5.8, 1.77,  6.4, 8.5, 1.31,  6.3, 9.9, 0.91,"
-         " 7.8, 0.3, 0.59,  7.5, 2.1, 0.82,  8.2, 3.8, 1.13,  8.5, 6.0, 1.28,  7.8, 7.6, 1.30,  7.5, 9.7, 0.89,"
-         " 10.1, -0.3, 0.51,  10.4, 1.8, 0.68,  10.4, 3.9, 0.76,  10.0, 6.1, 0.90,  10.1, 8.1, 0.84,  10.0, 9.9, 0.69,"
-         " 11.7, -0.2, 0.64,  12.0, 2.0, 0.61,  11.9, 4.1, 0.65,  12.1, 6.1, 0.67,  12.1, 8.0, 0.70,  11.9, 10.2, "
-         "0.66]",
-     .doc = "x, y, z of every point, in any order; with grid, v running fastest."},
-    {.name = "unit",
-     .type = LAM_KEY_CHOICE,
-     AT(unit),
-     .count = 1,
-     .initial = "m",
-     .choices = lam_point_units,
-     .doc = "Unit of the numbers in points."},
+    LAM_POINT_KEYS(
+        approximation_keys, points,
+        "[-0.3, 0.0, 0.02,  0.1, 2.1, 0.15,  -0.5, 4.3, 0.21,  -0.3, 6.5, 0.32,  0.3, 8.0, 0.41,  -0.3, 10.1, 0.14,"
+        " 2.0, 0.2, 0.27,  1.6, 2.3, 0.47,  1.8, 3.5, 0.77,  2.0, 6.2, 1.09,  2.2, 8.4, 0.85,  2.3, 9.9, 0.60,"
+        " 4.4, -0.4, 0.35,  3.7, 2.5, 0.91,  4.1, 3.8, 1.38,  3.9, 5.9, 1.69,  4.1, 8.4, 1.33,  4.4, 10.4, 0.81,"
+        " 6.2, -0.3, 0.50,  6.5, 2.4, 1.02,  6.2, 3.7, 1.44,  6.1, 5.8, 1.77,  6.4, 8.5, 1.31,  6.3, 9.9, 0.91,"
+        " 7.8, 0.3, 0.59,  7.5, 2.1, 0.82,  8.2, 3.8, 1.13,  8.5, 6.0, 1.28,  7.8, 7.6, 1.30,  7.5, 9.7, 0.89,"
+        " 10.1, -0.3, 0.51,  10.4, 1.8, 0.68,  10.4, 3.9, 0.76,  10.0, 6.1, 0.90,  10.1, 8.1, 0.84,  10.0, 9.9, 0.69,"
+        " 11.7, -0.2, 0.64,  12.0, 2.0, 0.61,  11.9, 4.1, 0.65,  12.1, 6.1, 0.67,  12.1, 8.0, 0.70,  11.9, 10.2, "
+        "0.66]",
+        "x, y, z of every point, in any order; with grid, v running fastest."),
     {.name = "grid",
      .type = LAM_KEY_INTEGER,
      AT(grid),
@@ -146,6 +142,13 @@ static const lam_key keys[] = {
      .min = 1,
      .max = LAM_BASIS_MAX_DEGREE,
      .doc = "Degree in u and in v."},
+    {.name = "knots",
+     .type = LAM_KEY_CHOICE,
+     AT(knots),
+     .count = 1,
+     .initial = "even",
+     .choices = knot_names,
+     .doc = "even: control points are spread evenly; dense: as the points are, more of them where the scan is denser."},
     {.name = "fairness",
      .type = LAM_KEY_NUMBER,
      AT(fairness),
@@ -180,6 +183,7 @@ const lam_surface_kind lam_surface_approximation = {
              .source = "Hoschek & Lasser, Fundamentals of CAGD, 4.4; Piegl & Tiller, The NURBS Book, 9.4",
              .keys = keys,
              .params_size = sizeof(approximation_keys)},
+    .points = cloud_of,
     .prepare = prepare,
     .eval = lam_held_nurbs_eval,
     .domain = lam_held_nurbs_domain,

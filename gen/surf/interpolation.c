@@ -1,15 +1,15 @@
 /* Spline surfaces through listed points. */
 #include "curve/basis.h"
 #include "fab/workshop.h"
-#include "surf/kind.h"
+#include "surf/point_keys.h"
 #include "surf/spline_surface.h"
 #include "surf/spline_through.h"
 
 enum { MAX_POINTS = 1000 }; /* in one direction */
 
 typedef struct interpolation_keys {
-  int count[2], degree[2], ends, parameters, unit;
-  lam_list points;
+  int count[2], degree[2], ends, parameters;
+  lam_point_keys points;
 } interpolation_keys;
 
 typedef struct interpolation_data {
@@ -19,15 +19,19 @@ typedef struct interpolation_data {
   int count[2];
 } interpolation_data;
 
-static const char *const end_names[] = {"average", "not-a-knot", "natural", NULL}; /* in the order of lam_ends */
+enum { LOCAL = 3 };
+static const char *const end_names[] = {"average", "not-a-knot", "natural", "local", NULL}; /* lam_ends, but LOCAL */
 
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const interpolation_keys *keys = params;
   int before = errors->count, total = keys->count[0] * keys->count[1];
   static const char *const directions[] = {"u", "v"};
-  if (keys->points.count != 3 * total) {
-    lam_error_add(errors, place, "points", "%d numbers given; expected %d: x, y and z of %d x %d points",
-                  keys->points.count, 3 * total, keys->count[0], keys->count[1]);
+  int given;
+  const lam_vec3 *points = lam_points_given(arena, &keys->points, 4, place, errors, &given);
+  if (!points) return NULL;
+  if (given != total) {
+    lam_error_add(errors, place, "count", "%d x %d with %d points; expected two numbers whose product is that",
+                  keys->count[0], keys->count[1], given);
     return NULL;
   }
   for (int d = 0; d < 2 && keys->ends == LAM_ENDS_AVERAGE; d++)
@@ -39,10 +43,6 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
       lam_error_add(errors, place, "degree", "degree %d with ends %s; expected 3, or ends: average", keys->degree[d],
                     end_names[keys->ends]);
   if (errors->count > before) return NULL;
-  lam_vec3 *points = LAM_NEW(arena, lam_vec3, total);
-  const double *x = keys->points.items;
-  double unit = lam_point_unit(keys->unit);
-  for (int i = 0; i < total; i++) points[i] = lam_scale(lam_v3(x[3 * i], x[3 * i + 1], x[3 * i + 2]), unit);
   interpolation_data *data = LAM_NEW(arena, interpolation_data, 1);
   *data = (interpolation_data){.points = points, .count = {keys->count[0], keys->count[1]}};
   lam_grid_parameters(arena, (lam_parameters)keys->parameters, keys->count, points, data->t);
@@ -53,8 +53,9 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
                     "differ",
                     directions[d]);
   if (errors->count > before) return NULL;
-  lam_spline_surface surface =
-      lam_surface_through(arena, (lam_ends)keys->ends, keys->degree, keys->count, data->t, points);
+  lam_spline_surface surface = keys->ends == LOCAL ? lam_surface_through_local(arena, keys->count, data->t, points)
+                                                   : lam_surface_through(arena, (lam_ends)keys->ends, keys->degree,
+                                                                         keys->count, data->t, points);
   data->nurbs = lam_nurbs_make(arena, &surface);
   return data;
 }
@@ -73,6 +74,8 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_measure(arena, stage, "point_distance", "m", most, mean, total);
 }
 
+static lam_point_file *cloud_of(void *params) { return &((interpolation_keys *)params)->points.cloud; }
+
 #define AT(member) .offset = offsetof(interpolation_keys, member)
 static const lam_key keys[] = {
     {.name = "count",
@@ -83,21 +86,12 @@ static const lam_key keys[] = {
      .min = 2,
      .max = MAX_POINTS,
      .doc = "Number of points in u and in v."},
-    {.name = "points",
-     .type = LAM_KEY_NUMBER,
-     AT(points),
-     .initial = "[0, 0, 0,  0, 3, 1,  0, 6, 1,  0, 9, 0,"
-                " 3, 0, 1,  3, 3, 3,  3, 6, 2.5,  3, 9, 1,"
-                " 6, 0, 1,  6, 3, 2.5,  6, 6, 3,  6, 9, 1,"
-                " 9, 0, 0,  9, 3, 1,  9, 6, 1,  9, 9, 0.5]",
-     .doc = "x, y, z of every point, v running fastest: first all points of the first u, then of the second."},
-    {.name = "unit",
-     .type = LAM_KEY_CHOICE,
-     AT(unit),
-     .count = 1,
-     .initial = "m",
-     .choices = lam_point_units,
-     .doc = "Unit of the numbers in points."},
+    LAM_POINT_KEYS(interpolation_keys, points,
+                   "[0, 0, 0,  0, 3, 1,  0, 6, 1,  0, 9, 0,"
+                   " 3, 0, 1,  3, 3, 3,  3, 6, 2.5,  3, 9, 1,"
+                   " 6, 0, 1,  6, 3, 2.5,  6, 6, 3,  6, 9, 1,"
+                   " 9, 0, 0,  9, 3, 1,  9, 6, 1,  9, 9, 0.5]",
+                   "x, y, z of every point, v running fastest: first all points of the first u, then of the second."),
     {.name = "parameters",
      .type = LAM_KEY_CHOICE,
      AT(parameters),
@@ -112,7 +106,8 @@ static const lam_key keys[] = {
      .initial = "not-a-knot",
      .choices = end_names,
      .doc = "not-a-knot: cubic, the outer two pieces are one; natural: cubic, not bent at the sides; average: any "
-            "degree, knots are averages of parameters."},
+            "degree, knots are averages of parameters; local: cubic with continuous tangent planes only, but a point "
+            "moves no more than the four rows around it."},
     {.name = "degree",
      .type = LAM_KEY_INTEGER,
      AT(degree),
@@ -134,6 +129,7 @@ const lam_surface_kind lam_surface_interpolation = {
              .source = "Piegl & Tiller, The NURBS Book, 9.2.5; de Boor, A Practical Guide to Splines, ch. XVII",
              .keys = keys,
              .params_size = sizeof(interpolation_keys)},
+    .points = cloud_of,
     .prepare = prepare,
     .eval = lam_held_nurbs_eval,
     .domain = lam_held_nurbs_domain,

@@ -4,13 +4,6 @@
 
 enum { MAX_POINTS = 1000 };
 
-lam_vec3 *lam_points_read(lam_arena *arena, const lam_list *list, int unit) {
-  lam_vec3 *points = LAM_NEW(arena, lam_vec3, list->count / 3);
-  const double *x = list->items, meters = lam_point_unit(unit);
-  for (int i = 0; i < list->count / 3; i++) points[i] = lam_scale(lam_v3(x[3 * i], x[3 * i + 1], x[3 * i + 2]), meters);
-  return points;
-}
-
 bool lam_weights_check(const lam_list *weights, const char *key, lam_place place, lam_errors *errors) {
   const double *w = weights->items;
   for (int i = 0; i < weights->count; i++)

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/key.h"
 #include "surf/kind.h"
+#include "surf/point_keys.h"
 #include "surf/sides.h"
 
 /* One of the maps in `curves`. */
@@ -73,8 +74,6 @@ typedef struct lam_sides_limits {
 bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits, lam_place place,
                     lam_errors *errors, lam_sides *sides);
 
-/* The points of a list of x, y, z, in meters. Precondition: its length is a multiple of 3. */
-lam_vec3 *lam_points_read(lam_arena *arena, const lam_list *list, int unit);
 /* Whether all weights of a list are positive; otherwise false with a message at the key. */
 bool lam_weights_check(const lam_list *weights, const char *key, lam_place place, lam_errors *errors);
 

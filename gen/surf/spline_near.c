@@ -3,7 +3,9 @@
 #include "curve/banded.h"
 #include "curve/basis.h"
 #include "curve/gram.h"
+#include "curve/least_squares.h"
 #include "surf/closest.h"
+#include <stdlib.h>
 
 /* The control point (i, j) is unknown i * count[1] + j. */
 static int half_width(const lam_surface_space *s) { return s->degree[0] * s->count[1] + s->degree[1]; }
@@ -71,6 +73,23 @@ bool lam_surface_near(lam_arena *arena, const lam_surface_space *space, int n, c
   *surface = (lam_spline_surface){
       NULL, {space->degree[0], space->degree[1]}, {space->count[0], space->count[1]}, {knots[0], knots[1]}, net, NULL};
   return true;
+}
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* The ends of the list are 0 and 1, whatever the places are. */
+const double *lam_surface_knots(lam_arena *arena, int degree, int count, int n, const lam_vec2 *t, int direction) {
+  double *sorted = LAM_NEW(arena, double, n + 2), *even = LAM_NEW(arena, double, count + degree + 1);
+  for (int k = 0; k < n; k++) sorted[k + 1] = direction ? t[k].y : t[k].x;
+  qsort(sorted + 1, (size_t)n, sizeof *sorted, ascending);
+  sorted[n + 1] = 1;
+  lam_knots_clamped(degree, count, even);
+  if (count > n) return even;
+  const double *knots = lam_fit_knots(arena, degree, count, n + 2, sorted);
+  return lam_knots_problem(degree, count, count + degree + 1, knots) ? even : knots;
 }
 
 double lam_surface_feet(const lam_spline_surface *surface, int n, const lam_vec3 *points, lam_vec2 *t, double *mean) {

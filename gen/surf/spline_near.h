@@ -21,6 +21,10 @@ typedef struct lam_surface_space {
 bool lam_surface_near(lam_arena *arena, const lam_surface_space *space, int n, const lam_vec2 *t,
                       const lam_vec3 *points, lam_spline_surface *surface);
 
+/* Knots for `count` functions in one direction (0: the x of t), so that every span holds about as many of the n places;
+ * evenly spaced when count > n, or where many places are the same. Owned by the arena. */
+const double *lam_surface_knots(lam_arena *arena, int degree, int count, int n, const lam_vec2 *t, int direction);
+
 /* Moves every t_k to the nearest point of the surface around it, and returns the largest and the mean
  * distance of the points, m (mean may be NULL). */
 double lam_surface_feet(const lam_spline_surface *surface, int n, const lam_vec3 *points, lam_vec2 *t, double *mean);

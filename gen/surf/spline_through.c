@@ -38,3 +38,23 @@ lam_spline_surface lam_surface_through(lam_arena *arena, lam_ends ends, const in
   }
   return s;
 }
+
+/* The local interpolation is linear in the points, so doing it in one direction and then in the other gives the tensor
+ * product: twists are Bessel's tangents of Bessel's tangents. */
+lam_spline_surface lam_surface_through_local(lam_arena *arena, const int count[2], const double *const t[2],
+                                             const lam_vec3 *points) {
+  lam_spline_surface s = {.degree = {3, 3}, .count = {count[0], count[1]}, .points = points};
+  for (int d = 0; d < 2; d++) {
+    int along = s.count[d], across = s.count[1 - d];
+    lam_vec3 *row = LAM_NEW(arena, lam_vec3, along), *net = LAM_NEW(arena, lam_vec3, 2 * along * across);
+    for (int j = 0; j < across; j++) {
+      for (int i = 0; i < along; i++) row[i] = s.points[d ? j * along + i : i * across + j];
+      lam_spline_curve curve = lam_interpolate_local(arena, along, t[d], row, NULL);
+      for (int i = 0; i < 2 * along; i++) net[d ? j * 2 * along + i : i * across + j] = curve.points[i];
+      s.knots[d] = curve.knots;
+    }
+    s.count[d] = 2 * along;
+    s.points = net;
+  }
+  return s;
+}

@@ -15,5 +15,9 @@ void lam_grid_parameters(lam_arena *arena, lam_parameters kind, const int count[
  * increase. */
 lam_spline_surface lam_surface_through(lam_arena *arena, lam_ends ends, const int degree[2], const int count[2],
                                        const double *const t[2], const lam_vec3 *points);
+/* The C1 bicubic surface with x(t[0][i], t[1][j]) = points[i][j] whose rows, columns and twists have Bessel's tangents
+ * (lam_interpolate_local in both directions): a point moves only the patches within two rows of it. */
+lam_spline_surface lam_surface_through_local(lam_arena *arena, const int count[2], const double *const t[2],
+                                             const lam_vec3 *points);
 
 #endif

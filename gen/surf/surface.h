@@ -39,12 +39,22 @@ typedef struct lam_surface_source {
   const char *note;                  /* for the report: what of the file is not read; NULL: nothing */
 } lam_surface_source;
 
+/* Points that stand in a file: the design names it, and who reads files puts the points in, as they are written there.
+ */
+typedef struct lam_point_file {
+  const char *file; /* NULL: none */
+  int count;
+  const lam_vec3 *points; /* NULL: not read */
+} lam_point_file;
+
 typedef struct lam_surface_kind {
   lam_row_head head;
   bool reads_file; /* its parameters are a lam_surface_source */
   /* The keys of its boundary in the parameters (surf/sides_keys.h), whose curves may stand in a file; NULL: it has
    * none. */
   struct lam_sides_keys *(*sides)(void *params);
+  /* The points in its parameters that may stand in a file; NULL: it has none. */
+  lam_point_file *(*points)(void *params);
   /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance data". Adds to
    * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL.
    */

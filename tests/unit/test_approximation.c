@@ -44,6 +44,32 @@ static void test_polynomials_come_back(void **state) {
   assert_true(lam_surface_near(f->arena, &space, N, t, points, &s));
 }
 
+/* Places crowd at u = 0, with none in some of 9 even spans: these leave functions without points, knots chosen by the
+ * places do not, and every span then holds one to four of the 20 rows of places. */
+static void test_knots_follow_the_points(void **state) {
+  lam_fixture *f = *state;
+  enum { N = 400 };
+  lam_vec2 t[N];
+  lam_vec3 points[N];
+  for (int k = 0; k < N; k++) {
+    double s = (k / 20 + 0.5) / 20;
+    t[k] = (lam_vec2){s * s * s, (k % 20 + 0.5) / 20};
+    points[k] = polynomial(t[k].x, t[k].y);
+  }
+  lam_surface_space space = {.degree = {3, 2}, .count = {18, 4}, .length = {4, 3}};
+  lam_spline_surface s;
+  assert_false(lam_surface_near(f->arena, &space, N, t, points, &s));
+  space.knots[0] = lam_surface_knots(f->arena, 3, 18, N, t, 0);
+  assert_true(lam_surface_near(f->arena, &space, N, t, points, &s));
+  for (int i = 0; i <= 10; i++) assert_near3(at(&s, i / 10.0, 0.3), polynomial(i / 10.0, 0.3), 1e-7, "near", "x", i, 0);
+  const double *knots = lam_surface_knots(f->arena, 3, 12, N, t, 0);
+  for (int i = 3; i < 12; i++) { /* 9 spans, 20 places 20 times over */
+    int held = 0;
+    for (int k = 0; k < N; k++) held += t[k].x >= knots[i] && t[k].x < knots[i + 1];
+    assert_true(held >= 20 && held <= 80);
+  }
+}
+
 static double objective(const lam_surface_space *space, const lam_spline_surface *s, int n, const lam_vec2 *t,
                         const lam_vec3 *points) {
   enum { CELLS = 40 };
@@ -168,8 +194,12 @@ static void test_refusals(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {TEST(test_polynomials_come_back), TEST(test_it_is_the_minimum),
-                                     TEST(test_noise_is_taken_out),    TEST(test_a_grid_may_fold),
-                                     TEST(test_steep_clouds),          TEST(test_refusals)};
+  const struct CMUnitTest tests[] = {TEST(test_polynomials_come_back),
+                                     TEST(test_knots_follow_the_points),
+                                     TEST(test_it_is_the_minimum),
+                                     TEST(test_noise_is_taken_out),
+                                     TEST(test_a_grid_may_fold),
+                                     TEST(test_steep_clouds),
+                                     TEST(test_refusals)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -83,7 +83,10 @@ static void test_hermite_patches_continue(void **state) {
 static void test_interpolation_meets_points(void **state) {
   lam_fixture *f = *state;
   static const char *const designs[] = {
-      "", "{ends: natural, parameters: centripetal}", "{ends: average, degree: [2, 1], parameters: uniform}",
+      "",
+      "{ends: local}",
+      "{ends: natural, parameters: centripetal}",
+      "{ends: average, degree: [2, 1], parameters: uniform}",
       "{count: [2, 3], points: [0,0,0, 0,1,1, 0,2,0, 1,0,1, 1,1,0, 1,2,2], unit: mm, ends: natural}",
       "{count: [5, 2], points: [0,0,0, 0,1,1, 1,0,1, 1,1,0, 2,0,0, 2,1,0, 2.5,0,1, 2.5,1,0, 4,0,0, 4,1,1],"
       " parameters: modified-chord}"};
@@ -92,7 +95,7 @@ static void test_interpolation_meets_points(void **state) {
     const lam_measure *m = measure_of(f, &s, "point_distance");
     assert_true(m->max < 1e-13 && m->count >= 6);
   }
-  lam_surface s = made(f, "interpolation", designs[3]);
+  lam_surface s = made(f, "interpolation", designs[4]);
   assert_near3(at(&s, 1, 1), lam_v3(0.001, 0.002, 0.002), 1e-15, "interpolation", "corner", 1, 1);
 }
 
@@ -123,7 +126,8 @@ static void test_refusals(void **state) {
       {"coons",
        "{curves: [" TWELVE("0", "1,2") ", {points: [0,0,0, 0,1,0]}, " TWELVE("1", "1,1") ", {points: [6,0,0, 6,1,0]}]}",
        "curves", "degree 25 in u; expected at most 24"},
-      {"interpolation", "{count: [3, 3]}", "points", "48 numbers given; expected 27"},
+      {"interpolation", "{count: [3, 3]}", "count", "3 x 3 with 16 points"},
+      {"interpolation", "{points: [0,0,0, 1]}", "points", "4 numbers given"},
       {"interpolation", "{degree: [4, 3]}", "degree", "expected 3"},
       {"interpolation", "{ends: average, degree: [4, 3]}", "degree", "at most 3"},
       {"interpolation", "{count: [2, 2], points: [0,0,0, 1,1,1, 0,0,0, 1,1,1]}", "points", "direction u"},
