@@ -35,10 +35,9 @@ lam_spline_curve lam_curve_line(lam_arena *arena, lam_vec3 a, lam_vec3 b) {
   return (lam_spline_curve){1, 2, knots, points, NULL};
 }
 
-/* Pieces of at most a quarter turn; the middle point of a piece of angle 2h stands at radius / cos h with weight cos h
+/* Pieces of at most a quarter turn; the middle point of a piece of angle 2h stands at 1 / cos h with weight cos h
  * (Piegl & Tiller, ch. 7.2). */
-lam_spline_curve lam_curve_arc(lam_arena *arena, lam_vec3 center, lam_vec3 x, lam_vec3 y, double radius, double from,
-                               double to) {
+lam_spline_curve lam_curve_arc(lam_arena *arena, lam_vec3 center, lam_vec3 x, lam_vec3 y, double from, double to) {
   int pieces = (int)ceil((to - from) / (pi / 2) - 1e-9), count;
   if (pieces < 1) pieces = 1;
   count = 2 * pieces + 1;
@@ -46,7 +45,7 @@ lam_spline_curve lam_curve_arc(lam_arena *arena, lam_vec3 center, lam_vec3 x, la
   double *knots = LAM_NEW(arena, double, count + 3), *weights = LAM_NEW(arena, double, count);
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, count);
   for (int i = 0; i < count; i++) {
-    double t = from + i * h, r = i % 2 ? radius / cos(h) : radius;
+    double t = from + i * h, r = i % 2 ? 1 / cos(h) : 1;
     points[i] = lam_along(lam_along(center, r * cos(t), x), r * sin(t), y);
     weights[i] = i % 2 ? cos(h) : 1;
   }

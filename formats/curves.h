@@ -18,10 +18,9 @@ const char *lam_curve_problem(const lam_spline_curve *curve);
 
 /* The straight line from a to b, over [0, 1]. */
 lam_spline_curve lam_curve_line(lam_arena *arena, lam_vec3 a, lam_vec3 b);
-/* center + radius (cos t x + sin t y) for t from `from` to `to`, at most a turn, as a rational quadratic. x and y are
- * unit vectors at right angles; from < to. */
-lam_spline_curve lam_curve_arc(lam_arena *arena, lam_vec3 center, lam_vec3 x, lam_vec3 y, double radius, double from,
-                               double to);
+/* center + cos t x + sin t y for t from `from` to `to`, at most a turn, as a rational quadratic: an arc of a circle
+ * when x and y are at right angles and as long as each other, otherwise of an ellipse. from < to. */
+lam_spline_curve lam_curve_arc(lam_arena *arena, lam_vec3 center, lam_vec3 x, lam_vec3 y, double from, double to);
 /* The part over [low, high], with clamped knots: the curve itself when it is so already. Precondition: low < high, in
  * the domain. */
 lam_spline_curve lam_curve_part(lam_arena *arena, const lam_spline_curve *curve, double low, double high);

@@ -9,8 +9,8 @@
  * error. */
 bool lam_iges_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                    lam_spline_list *surfaces);
-/* The curves of an IGES file in the same way: rational B-splines (126), lines (110) and arcs (100), but not those in
- * the parameters of surfaces; named by their labels. At least one, or an error. */
+/* The curves of an IGES file in the same way: rational B-splines (126), lines (110), arcs (100) and polylines (106),
+ * not those in the parameters of surfaces; named by their labels. At least one, or an error. */
 bool lam_iges_read_curves(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                           lam_curve_list *curves);
 

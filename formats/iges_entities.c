@@ -1,4 +1,4 @@
-/* Rational B-spline surfaces (128) and curves (126), lines (110) and arcs (100) of an IGES file. */
+/* Rational B-spline surfaces (128) and curves (126), lines (110), arcs (100) and polylines (106) of an IGES file. */
 #include "formats/iges_entities.h"
 
 #include <string.h>
@@ -96,13 +96,32 @@ static bool read_arc(lam_iges_reader *r, lam_iges_parameters *list, const lam_ig
          to = atan2(x[6] - x[2], x[5] - x[1]);
   if (!(radius > 0)) return lam_iges_fail(r, "its radius is 0");
   if (to - from <= 1e-12) to += 2 * pi;
-  *c = lam_curve_arc(r->arena, lam_v3(x[1], x[2], x[0]), lam_v3(1, 0, 0), lam_v3(0, 1, 0), radius, from, to);
+  *c = lam_curve_arc(r->arena, lam_v3(x[1], x[2], x[0]), lam_v3(radius, 0, 0), lam_v3(0, radius, 0), from, to);
   lam_vec3 *points = LAM_NEW(r->arena, lam_vec3, c->count);
   for (int i = 0; i < c->count; i++) {
     const double p[3] = {c->points[i].x, c->points[i].y, c->points[i].z};
     points[i] = lam_scale(lam_iges_moved(m, p), r->unit);
   }
   c->points = points;
+  return true;
+}
+
+/* The form (pairs of x and y at one z; x, y, z; or the same with a vector behind), the number of points, the points: a
+ * polyline when the form of the entity is 11 to 13. */
+static bool read_polyline(lam_iges_reader *r, lam_iges_parameters *list, const lam_iges_matrix *m,
+                          lam_spline_curve *c) {
+  int form, n, most = (int)strlen(list->at), entity_form = lam_iges_field(r, r->directory_line + 1, 4);
+  if (entity_form < 11 || entity_form > 13) return true;
+  if (!lam_iges_integer(r, list, 1, 3, &form) || !lam_iges_integer(r, list, 2, most, &n)) return false;
+  double *knots = LAM_NEW(r->arena, double, n + 2), x[6] = {0};
+  lam_vec3 *points = LAM_NEW(r->arena, lam_vec3, n);
+  if (form == 1 && !lam_iges_numbers(r, list, &x[2], 1)) return false;
+  for (int i = 0; i < n; i++) {
+    if (!lam_iges_numbers(r, list, x, form == 1 ? 2 : form == 2 ? 3 : 6)) return false;
+    points[i] = lam_scale(lam_iges_moved(m, x), r->unit);
+  }
+  for (int i = 0; i < n + 2; i++) knots[i] = i == 0 ? 0 : i > n ? n - 1 : i - 1;
+  *c = (lam_spline_curve){1, n, knots, points, NULL};
   return true;
 }
 
@@ -113,7 +132,7 @@ bool lam_iges_curve(lam_iges_reader *r, int at, lam_spline_curve *curve) {
   static const struct {
     int type;
     bool (*read)(lam_iges_reader *r, lam_iges_parameters *list, const lam_iges_matrix *m, lam_spline_curve *c);
-  } readers[] = {{126, read_spline}, {110, read_line}, {100, read_arc}};
+  } readers[] = {{126, read_spline}, {110, read_line}, {100, read_arc}, {106, read_polyline}};
   *curve = (lam_spline_curve){0};
   for (size_t i = 0; i < sizeof readers / sizeof *readers; i++) {
     lam_iges_parameters list;
@@ -123,7 +142,7 @@ bool lam_iges_curve(lam_iges_reader *r, int at, lam_spline_curve *curve) {
     r->directory_line = at;
     if (!lam_iges_matrix_of(r, at, &m) || !lam_iges_open(r, at, &list) || !readers[i].read(r, &list, &m, curve))
       return false;
-    const char *problem = lam_curve_problem(curve);
+    const char *problem = curve->count ? lam_curve_problem(curve) : NULL;
     if (problem) return lam_iges_fail(r, lam_arena_printf(r->arena, "it has %s", problem));
   }
   return true;

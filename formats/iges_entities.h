@@ -7,8 +7,8 @@
 
 /* Each reads the entity whose directory entry begins at line `at`, in meters. False with a message. */
 bool lam_iges_surface(lam_iges_reader *r, int at, lam_spline_surface *surface);
-/* Entity 126 (over its own range of parameters), 110 or 100. count is 0 when it is none of these, or a curve in the
- * parameters of a surface. */
+/* Entity 126 (over its own range of parameters), 110, 100, or 106 as a polyline. count is 0 when it is none of these,
+ * or a curve in the parameters of a surface. */
 bool lam_iges_curve(lam_iges_reader *r, int at, lam_spline_curve *curve);
 /* Marks what lies in the parameters of surfaces: per directory line (from 0), whether a curve on a surface (142) or a
  * boundary (141) uses it so. What cannot be read is passed over. */

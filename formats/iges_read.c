@@ -61,6 +61,6 @@ bool lam_iges_read_curves(lam_arena *arena, const char *bytes, size_t count, lam
     if (curve.count) lam_curve_append(arena, curves, label_of(&r, at), -1, curve);
   }
   if (!curves->count)
-    lam_iges_fail_at(&r, 0, "has no curve (entity 126, 110 or 100); expected B-splines, lines or arcs");
+    lam_iges_fail_at(&r, 0, "has no curve (entity 126, 110, 100 or 106); expected B-splines, lines or arcs");
   return curves->count > 0;
 }

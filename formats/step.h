@@ -9,7 +9,8 @@
 bool lam_step_read(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                    lam_spline_list *surfaces);
 /* The curves of a STEP file in the order of their numbers: edges, trimmed curves, polylines, and B-spline curves that
- * serve none of these; on B-splines, straight lines and circles, others are left out. At least one, or an error. */
+ * serve none of these; on B-splines, straight lines, circles and ellipses; others are left out. At least one, or an
+ * error. */
 bool lam_step_read_curves(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors,
                           lam_curve_list *curves);
 

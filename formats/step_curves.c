@@ -1,4 +1,5 @@
-/* Curves of edges and wireframes out of the entities of a STEP file (ISO 10303-42): B-splines, straight lines, arcs. */
+/* Curves of edges and wireframes out of the entities of a STEP file (ISO 10303-42): B-splines, straight lines, arcs
+ * of circles and ellipses. */
 #include "formats/step_reader.h"
 
 #include <string.h>
@@ -38,25 +39,30 @@ static bool read_plane(lam_step_reader *r, const lam_step_entity *entity, plane 
   return lam_length(p->x) > 0 || lam_step_fail(r, "the axes of its position are parallel");
 }
 
-static double angle_of(const plane *p, lam_vec3 x) {
+/* The parameter of a place on center + a cos t x + b sin t y. */
+static double angle_of(const plane *p, const double radii[2], lam_vec3 x) {
   lam_vec3 d = lam_sub(x, p->origin);
-  return atan2(lam_dot(d, p->y), lam_dot(d, p->x));
+  return atan2(lam_dot(d, p->y) / radii[1], lam_dot(d, p->x) / radii[0]);
 }
 
-/* CIRCLE('', position, radius). */
-static bool read_arc(lam_step_reader *r, const lam_step_value *circle, const bounds *b, lam_spline_curve *curve) {
+/* CIRCLE('', position, radius) or ELLIPSE('', position, radius along x, radius along y). */
+static bool read_arc(lam_step_reader *r, const lam_step_value *arc, const bounds *b, lam_spline_curve *curve) {
   plane p;
-  const lam_step_value *radius = lam_step_typed(circle, 2, LAM_STEP_NUMBER);
-  if (!radius || !(radius->number > 0)) return lam_step_fail(r, "its radius is not a positive number");
-  if (!read_plane(r, lam_step_referred(r, circle, 1), &p)) return false;
+  double radii[2];
+  for (int i = 0; i < 2; i++) {
+    const lam_step_value *radius = lam_step_typed(arc, arc->count > 3 ? 2 + i : 2, LAM_STEP_NUMBER);
+    if (!radius || !(radius->number > 0)) return lam_step_fail(r, "its radius is not a positive number");
+    radii[i] = radius->number * r->unit;
+  }
+  if (!read_plane(r, lam_step_referred(r, arc, 1), &p)) return false;
   double t[2] = {0, 2 * pi};
   for (int i = 0; i < 2; i++) {
-    if (b->has_points) t[i] = angle_of(&p, b->points[i]);
+    if (b->has_points) t[i] = angle_of(&p, radii, b->points[i]);
     if (!b->has_points && b->has_parameters) t[i] = remainder(b->parameters[i] * r->angle, 2 * pi);
   }
   double from = t[b->forward ? 0 : 1], to = t[b->forward ? 1 : 0];
   if (to - from <= 1e-12) to += 2 * pi;
-  *curve = lam_curve_arc(r->arena, p.origin, p.x, p.y, radius->number * r->unit, from, to);
+  *curve = lam_curve_arc(r->arena, p.origin, lam_scale(p.x, radii[0]), lam_scale(p.y, radii[1]), from, to);
   return true;
 }
 
@@ -168,6 +174,7 @@ static bool read_cut(lam_step_reader *r, const lam_step_entity *entity, bounds *
   }
   if ((record = lam_step_record(entity, "LINE"))) return read_line(r, record, b, curve);
   if ((record = lam_step_record(entity, "CIRCLE"))) return read_arc(r, record, b, curve);
+  if ((record = lam_step_record(entity, "ELLIPSE"))) return read_arc(r, record, b, curve);
   if ((record = lam_step_record(entity, "POLYLINE"))) return read_polyline(r, record, curve);
   if (lam_step_spline_curve_record(entity, &form)) return read_spline(r, entity, b, curve);
   *other = keyword_of(r, entity);

@@ -140,15 +140,18 @@ static double bend(const lam_flat_mesh *mesh, const lam_vec3 *normals) {
 static void report(lam_workshop *shop, const sheet *s, const lam_part *part, double area, double bending) {
   const lam_flattening *f = &s->flattening;
   lam_stage *stage = lam_workshop_stage(shop, "flat-pattern");
-  double unsound = !lam_part_is_sound(shop->arena, part);
-  stage->converged = f->converged && f->flips == 0 && unsound == 0;
+  double unsound = !lam_part_is_sound(shop->arena, part), crossings = (double)lam_path_crossings(&part->flat->paths[0]);
+  stage->converged = f->converged && f->flips == 0 && crossings == 0 && unsound == 0;
   if (!stage->converged)
-    stage->reason = f->flips ? "the pattern overlaps itself" : unsound > 0 ? "the solid is not sound" : "not converged";
+    stage->reason = f->flips || crossings > 0 ? "the pattern overlaps itself"
+                    : unsound > 0             ? "the solid is not sound"
+                                              : "not converged";
   lam_stage_measure(shop->arena, stage, "flat_area", "m2", area, area, 1);
   lam_stage_measure(shop->arena, stage, "sheet_mass", "kg", part->mass, part->mass, 1);
   lam_stage_measure(shop->arena, stage, "flattening_strain", "", f->max_strain, f->rms_strain, s->mesh.edge_count);
   lam_stage_measure(shop->arena, stage, "bending_strain", "", bending, bending, s->mesh.edge_count);
   lam_stage_measure(shop->arena, stage, "turned_triangles", "", f->flips, f->flips, s->mesh.triangle_count);
+  lam_stage_measure(shop->arena, stage, "outline_crossings", "", crossings, crossings, 1);
   lam_stage_measure(shop->arena, stage, "unsound_sheets", "", unsound, unsound, 1);
   if (f->max_strain > part->material->max_strain)
     lam_stage_note(shop->arena, stage, "%s yields above %.2g: places with more strain in the plane have to be formed",

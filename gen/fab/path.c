@@ -73,3 +73,22 @@ double lam_paths_area(const lam_path *paths, int count) {
       area += fabs(lam_path_area(&paths[i])) * (paths[i].hole ? -1 : 1);
   return area;
 }
+
+/* Twice the signed area of a, b, p: on which side of the line p lies. */
+static double side_of(lam_vec2 a, lam_vec2 b, lam_vec2 p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+static bool cross(lam_vec2 a, lam_vec2 b, lam_vec2 p, lam_vec2 q) {
+  if (fmax(a.x, b.x) < fmin(p.x, q.x) || fmax(p.x, q.x) < fmin(a.x, b.x)) return false;
+  return side_of(a, b, p) * side_of(a, b, q) < 0 && side_of(p, q, a) * side_of(p, q, b) < 0;
+}
+
+long lam_path_crossings(const lam_path *path) {
+  int n = path->count;
+  const lam_vec2 *x = path->points;
+  long crossings = 0;
+  for (int i = 0; i < n; i++)
+    for (int k = i + 2; k < n; k++) crossings += cross(x[i], x[i + 1], x[k], x[(k + 1) % n]);
+  return crossings;
+}

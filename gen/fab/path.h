@@ -31,6 +31,9 @@ lam_path *lam_paths_placed(lam_arena *arena, const lam_path *paths, int count, c
 void lam_paths_bounds(const lam_path *paths, int count, lam_vec2 *min, lam_vec2 *max);
 /* The area enclosed, positive when counterclockwise. */
 double lam_path_area(const lam_path *path);
+/* How many pairs of sides of a closed path cross: 0 when it bounds one piece that does not lie on itself. Touching is
+ * no crossing. */
+long lam_path_crossings(const lam_path *path);
 /* The area of the outlines less that of the holes. */
 double lam_paths_area(const lam_path *paths, int count);
 

@@ -80,9 +80,9 @@ static bool fill_net(skin *s, lam_place place) {
                                               cells.cell_count, cells.cells, patches);
   if (fit.made == 0) {
     lam_error_add(shop->errors, place, "kind",
-                  "all patches fold over: the edges miss their ends by up to %.2g m; expected an asymptotic net, whose "
-                  "lines twist",
-                  fit.missed);
+                  "the lines of the net are no asymptotic curves: %d edges of cells turn the normals against their "
+                  "family, and all patches fold over; expected an asymptotic net",
+                  fit.contradictions);
     return false;
   }
   s->fitted = fit.converged;

@@ -97,8 +97,8 @@ static void differentiate(const lam_net *net, int v, const lam_vec3 *values, lam
 }
 
 /* The discrete Lelieuvre normals: parallel to the normals n of the vertex stars, with |nu_i x nu_j| = |p_j - p_i| for
- * all edges as well as possible. Relaxed are the logarithms l of their lengths, l_i + l_j = log(|p_j - p_i| / |n_i x
- * n_j|); alternating parts of l, about which these equations say nothing, do not arise. */
+ * all edges as well as possible. With l the logarithms of their lengths, l_i + l_j = log(|p_j - p_i| / |n_i x n_j|):
+ * relaxed by a few sweeps from 0. These sums say nothing about alternating parts of l, which do not arise then. */
 static lam_vec3 *make_conormals(lam_arena *arena, const lam_net *net) {
   enum { SWEEPS = 20 };
   int n = net->mesh.vertex_count, *count = LAM_NEW(arena, int, n);

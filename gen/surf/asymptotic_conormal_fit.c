@@ -209,11 +209,14 @@ static void assemble(fit *f) {
   }
 }
 
-/* One step, halved until the equations are met better. Returns what is missed then. */
-static double take_step(fit *f, double missed) {
+/* One step, halved until the equations are met better. False: they depend on each other too much for one. */
+static bool take_step(fit *f, double *missed) {
+  double size = 0;
   assemble(f);
-  if (!lam_factor_refactor(f->factor, f->values)) return INFINITY;
+  if (!lam_factor_refactor(f->factor, f->values)) return false;
   lam_factor_solve(f->factor, f->right, f->right);
+  for (int k = 0; k < 3 * f->edge_count; k++) size += fabs(f->right[k]);
+  if (!isfinite(size)) return false;
   for (int v = 0; v < f->vector_count; v++) f->step[v] = lam_v3(0, 0, 0);
   for (int k = 0; k < f->edge_count; k++) {
     lam_vec3 y = {f->right[3 * k], f->right[3 * k + 1], f->right[3 * k + 2]};
@@ -226,9 +229,10 @@ static double take_step(fit *f, double missed) {
   for (int attempt = 0; attempt < HALVINGS; attempt++, length /= 2) {
     for (int v = 0; v < f->vector_count; v++) f->x[v] = lam_along(f->x[v], attempt ? -length : length, f->step[v]);
     reached = largest_miss(f, f->x);
-    if (reached <= (1 - length / 10) * missed) break;
+    if (reached <= (1 - length / 10) * *missed) break;
   }
-  return reached;
+  *missed = reached;
+  return true;
 }
 
 static void prepare(fit *f) {
@@ -261,6 +265,7 @@ static void prepare(fit *f) {
     f->chord[k] = lam_scale(lam_sub(f->vertices[v[1]].point, f->vertices[v[0]].point), 1 / f->unit);
   }
 }
+
 lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int edge_count,
                               lam_conormal_arc *edges) {
   lam_arena_mark mark = lam_arena_mark_get(arena);
@@ -270,22 +275,21 @@ lam_skin_fit lam_conormal_fit(lam_arena *arena, int vertex_count, lam_conormal_v
   prepare(&f);
   find_pattern(&f);
   double missed = largest_miss(&f, f.x);
-  while (result.steps < STEPS && missed > tolerance) {
-    double before = missed;
-    missed = take_step(&f, missed);
-    result.steps++;
-    if (!isfinite(missed) || (before <= sufficient && missed >= before / 2)) break;
+  for (double before = INFINITY; result.steps < STEPS && missed > tolerance; result.steps++) {
+    if (before <= sufficient && missed >= before / 2) break; /* rounding */
+    before = missed;
+    if (!take_step(&f, &missed)) break;
   }
   double root = sqrt(f.unit);
   result.missed = missed * f.unit;
   result.converged = missed <= sufficient;
-  for (int v = 0; v < vertex_count && isfinite(missed); v++) {
+  for (int v = 0; v < vertex_count; v++) {
     const lam_vec3 *x = f.x + VECTORS * v;
     result.tilt = fmax(result.tilt, lam_angle(vertices[v].conormal, x[0]));
     vertices[v].conormal = lam_scale(x[0], root);
     for (int d = 0; d < 2; d++) vertices[v].slope[d] = lam_scale(x[1 + d], root);
   }
-  for (int k = 0; k < edge_count && isfinite(missed); k++) edges[k].middle = lam_scale(f.x[vector_of(&f, k, 2)], root);
+  for (int k = 0; k < edge_count; k++) edges[k].middle = lam_scale(f.x[vector_of(&f, k, 2)], root);
   lam_arena_release(arena, mark);
   return result;
 }

@@ -1,11 +1,12 @@
-/* A patch over four asymptotic curves with their conormals nu. With m the mean direction of nu along an edge, and a, b,
- * m right-handed, orthogonal and of length 1, the tangents across it are T = x nu x a + y nu x b,  that is  T.b = x
- * (nu.m),  T.a = -y (nu.m): in the tangent planes of both patches along the edge. x and y have degree 4, T has degree 7
- * as the patch. T at the ends is the derivative of the crossing curve, which gives the first coefficients; T' = w there
- * is the mixed derivative, x1 = x0 + (w.b - x0 nu'.m) / (5 nu.m),  y1 = y0 - (w.a + y0 nu'.m) / (5 nu.m), the same for
- * both curves. w.nu = -r_v.nu_u = -r_u.nu_v is given, its part in the tangent plane is free: two numbers at every
- * corner. With the middle coefficients of x and y along every edge they are 16, and minimize the thin-plate energy
- * (thesis, eq. 2.8) together with the inner points of the control net. */
+/* A patch over four asymptotic curves with their conormals nu. With m the mean direction of nu along an edge, and
+ * a, b, m right-handed, orthogonal and of length 1, the tangents across the edge are
+ *   T = x nu x a + y nu x b,  that is  T.b = x nu.m,  T.a = -y nu.m:
+ * in the tangent planes of both patches along it. x and y have degree 5, T has degree 9 as the patch. At the ends T is
+ * the derivative of the crossing curve, and T' = w the mixed derivative:
+ *   x1 = x0 + (w.b - x0 nu'.m) / (5 nu.m),  y1 = y0 - (w.a + y0 nu'.m) / (5 nu.m).
+ * Both curves at a corner have the same w: w.nu = -r_v.nu_u = -r_u.nu_v is given, its part in the tangent plane is
+ * free. These two numbers per corner and the two middle coefficients of x and y along every edge, 24 in all, minimize
+ * the thin-plate energy (thesis, eq. 2.8) together with the inner points of the control net. */
 #include "core/dense.h"
 #include "surf/asymptotic_conormal.h"
 

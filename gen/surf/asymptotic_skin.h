@@ -38,7 +38,7 @@ typedef struct lam_skin_fit {
 } lam_skin_fit;
 
 /* One patch per cell. Cells that share two vertices share the curve between them; any number may meet at a vertex. The
- * curves have degree 5, are asymptotic curves of the patches, and may be straight or bend to both sides. Conormals and
+ * curves have degree 7, are asymptotic curves of the patches, and may be straight or bend to both sides. Conormals and
  * slopes of the vertices are where the search starts, to about a tenth, and are set to those that were found. Vertices
  * in no cell are not used. Where a patch would fold over its boundary, surface.points is NULL. */
 lam_skin_fit lam_asymptotic_skin_fill(lam_arena *arena, int vertex_count, lam_conormal_vertex *vertices, int cell_count,

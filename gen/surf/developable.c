@@ -96,7 +96,7 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_note(arena, stage,
                  "largest ratio of singular values, of the parameter lines: %.4g; of the flattened surface: %.6g",
                  lam_flat_anisotropy(&mesh, mesh.start, NULL), distortion);
-  if (m.corner_bound > 0)
+  if (m.corner_bound * m.area > 1e-9) /* less is rounding */
     lam_stage_note(arena, stage,
                    "no surface over this boundary has max |K| below %.5g 1/m2, the bound of its corners; this one %s",
                    m.corner_bound,

@@ -44,14 +44,14 @@ double lam_flat_align(int count, const lam_vec2 *target, lam_vec2 *points) {
   return count ? sqrt(sum / count) : 0;
 }
 
-/* With a, b as columns of A and p, q as those of P the map is A P^-1. With S = |A P^-1|^2 (Frobenius) and D the area
- * factor, s1 +- s2 = sqrt(S +- 2 D). */
+/* With a, b as columns of A and p, q as those of P the map is J = A P^-1. In the frame of its first column and the
+ * normal to that in the plane of both J is [[j, k], [0, l]], and s1 +- s2 = |(j +- l, k)|. */
 lam_vec2 lam_flat_stretch(lam_vec2 p, lam_vec2 q, lam_vec3 a, lam_vec3 b) {
   double det = p.x * q.y - p.y * q.x;
   lam_vec3 du = lam_scale(lam_sub(lam_scale(a, q.y), lam_scale(b, p.y)), 1 / det);
   lam_vec3 dv = lam_scale(lam_sub(lam_scale(b, p.x), lam_scale(a, q.x)), 1 / det);
-  double S = lam_dot(du, du) + lam_dot(dv, dv), D = lam_length(lam_cross(du, dv));
-  double sum = sqrt(S + 2 * D), difference = sqrt(fmax(0, S - 2 * D));
+  double j = lam_length(du), k = lam_dot(du, dv) / j, l = lam_length(lam_cross(du, dv)) / j;
+  double sum = hypot(j + l, k), difference = hypot(j - l, k);
   return (lam_vec2){(sum + difference) / 2, (sum - difference) / 2};
 }
 

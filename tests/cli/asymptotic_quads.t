@@ -18,7 +18,7 @@ within() { # design, stage, name, field, low, high
     for my $s (@{$r->{stages}}) { next if index($s->{stage}, $stage) || !$s->{measures}{$name}; my $x = $s->{measures}{$name}{$field};
       print "$name $field is $x, expected $low to $high\n"; exit !($x >= $low && $x <= $high) } print "no $name\n"; exit 1' "$work/$1/report.json" "${@:2}"
 }
-surfaces() { [ "$(grep -c '"degree"' "$work/$1/surface.json")" = "$2" ]; }
+surfaces() { [ "$(grep -c '"knots_u"' "$work/$1/surface.json")" = "$2" ]; }
 
 for design in asymptotic-quad-enneper asymptotic-quad-roof asymptotic-pavilion-skin; do
   check "$design builds" "$lamella" build templates/designs/$design.yaml -o "$work/$design" --only report,surface --quiet
@@ -35,9 +35,10 @@ check "the pavilion has a patch in every cell: 6 (8 x 8 - 1)" within $skin skin 
 check "none is left out" within $skin skin cells_left_out max 0 0
 check "neighbors have the same normals" within $skin skin normal_jump max 0 1e-9
 check "and the same edges" within $skin skin gap max 0 1e-12
-check "the edges hardly curve along the normal" within $skin skin edge_normal_curvature max 0 0.03
+check "all edges are asymptotic curves of the skin" within $skin skin edge_normal_curvature max 0 1e-9
+check "and run on through the vertices" within $skin skin edge_kink max 0 1e-9
 check "the skin is a saddle everywhere" within $skin skin gaussian_curvature max -1 -0.001
-check "it stays within 3 mm of the net" within $skin skin net_distance max 0 0.003
+check "it stays within 8 mm of the net, at the open middle" within $skin skin net_distance max 0 0.008
 check "it touches no lamella" within $skin clash clash_volume_sum max 0 0
 check "all patches are written" surfaces $skin 378
 echo "1..$count"

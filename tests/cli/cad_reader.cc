@@ -1,15 +1,17 @@
-// cad_reader FILE [COPY.step COPY.igs]
-// Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, writes copies of it, and prints what
-// it found in SI units:
+// cad_reader FILE [COPY.step COPY.igs [PART.step PART.igs]]
+// Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, writes copies of it and of
+// the middle of its first face (trimmed to half of its parameters each way), and prints what it found in SI units:
 //   faces N / shells N / closed_shells N / valid 0|1 / area A / boundary L / vertices N (of faces) / edges N /
 //   free_edges N (of one face only) / loose_edges N (of none) / loose L
 //   box x0 y0 z0 x1 y1 z1
 //   point FACE u v x y z             on a grid over each face's parameters
 //   curve LENGTH x0 y0 z0 x1 y1 z1   for each loose edge
+//   part L                           length of the boundary of the trimmed face
 //   name NAME LAYER                  for each B-spline curve that has a name; its layer (STEP) or level (IGES) or -
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
@@ -167,8 +169,21 @@ static bool copy(const TopoDS_Shape &shape, const char *step, const char *iges) 
          other.AddShape(shape) && other.Write(iges);
 }
 
+static TopoDS_Shape middle(const TopoDS_Shape &shape) {
+  TopoDS_Face face = TopoDS::Face(TopExp_Explorer(shape, TopAbs_FACE).Current());
+  BRepAdaptor_Surface s(face);
+  double u = s.FirstUParameter(), du = s.LastUParameter() - u, v = s.FirstVParameter(), dv = s.LastVParameter() - v;
+  TopoDS_Shape part =
+      BRepBuilderAPI_MakeFace(BRep_Tool::Surface(face), u + du / 4, u + 3 * du / 4, v + dv / 4, v + 3 * dv / 4, 1e-7)
+          .Face();
+  double sum = 0;
+  for (TopExp_Explorer e(part, TopAbs_EDGE); e.More(); e.Next()) sum += length(TopoDS::Edge(e.Current()));
+  printf("part %.17g\n", sum);
+  return part;
+}
+
 int main(int argc, char **argv) {
-  if (argc != 2 && argc != 4) return 2;
+  if (argc != 2 && argc != 4 && argc != 6) return 2;
   try {
     Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
     IGESControl_Controller::Init();
@@ -179,7 +194,7 @@ int main(int argc, char **argv) {
       return 1;
     }
     printf("roots %d\n", roots);
-    if (argc == 4 && !copy(shape, argv[2], argv[3])) {
+    if ((argc >= 4 && !copy(shape, argv[2], argv[3])) || (argc == 6 && !copy(middle(shape), argv[4], argv[5]))) {
       fprintf(stderr, "%s: cannot be copied\n", argv[1]);
       return 1;
     }

@@ -191,7 +191,7 @@ names = list(expected)
 
 def build(name, out, *more):
     return subprocess.run([program, "build", f"{work}/{name}.yaml", "-o", f"{work}/{out}", "--only",
-                           "surface,step,iges,surface_obj", "--quiet", *more], capture_output=True, text=True)
+                           "surface,step,iges,surface_obj", *more], capture_output=True, text=True)
 
 made = {name: build(name, name) for name in names}
 check("surfaces are written as surface.json, STEP and IGES",
@@ -228,7 +228,8 @@ texts = ["OpenCASCADE finds one valid face with its edges, in STEP", "and in IGE
          "areas and boundaries agree to 1e-7", "points agree to 1e-9 at the same parameters",
          "what OpenCASCADE writes as STEP and as IGES is read: areas agree to 1e-9",
          "a skin of 16 patches is one open shell of shared edges",
-         "lines and axes arrive with their names and families, lengths to 1e-7 and ends to 1e-9"]
+         "lines and axes arrive with their names and families, lengths to 1e-7 and ends to 1e-9",
+         "a trimmed face that OpenCASCADE writes has the boundary of its edges, and the report says that it is trimmed"]
 if reader == "none":
     for text in texts:
         skip(text, "OpenCASCADE is not installed: libocct-data-exchange-dev")
@@ -236,7 +237,8 @@ elif reader == "broken":
     check("tests/cli/cad_reader.cc compiles", ["see above"])
 else:
     copies = {(n, e): f"{work}/{n}-copy.{e}" for n in names for e in ("step", "igs")}
-    found = {(n, "step"): read(f"{work}/{n}/{n}.step", copies[n, "step"], copies[n, "igs"]) for n in names}
+    found = {(n, "step"): read(f"{work}/{n}/{n}.step", copies[n, "step"], copies[n, "igs"],
+                                f"{work}/{n}-part.step", f"{work}/{n}-part.igs") for n in names}
     found.update({(n, "igs"): read(f"{work}/{n}/{n}.igs") for n in names})
     def structure(ending, loose):
         wrong = []
@@ -266,11 +268,25 @@ else:
     for (n, ending), path in copies.items():
         design("copy", f"{{kind: file, file: {os.path.basename(path)}, ground: no}}")
         run = build("copy", f"{n}-{ending}")
+        if "trimmed" in run.stdout:
+            wrong.append(f"{n}.{ending}: its natural boundary is taken for a trimming")
         if run.returncode:
             wrong.append(f"{n}.{ending}: {run.stderr}")
         elif off(Surface(f"{work}/{n}-{ending}/surface.json").area(), areas[n]) > 1e-9:
             wrong.append(f"{n}.{ending}: another area")
     check(texts[4], wrong)
+    wrong = []
+    for n in ("saddle", "unclamped", "developable"):
+        for part in (f"{n}-part.step", f"{n}-part.igs"):
+            design("part", f"{{kind: coons, file: {part}, ground: no}}")
+            run = build("part", "part")
+            given = run.returncode or off(Surface(f"{work}/part/surface.json").boundary(), found[n, "step"]["part"])
+            if run.returncode or given > 1e-9:
+                wrong.append(f"{part}: the boundary is another one, by {given} {run.stderr}")
+            design("part", f"{{kind: file, file: {part}, ground: no}}")
+            if "trimmed" not in build("part", "part").stdout:
+                wrong.append(f"{part}: nothing says that the face is trimmed")
+    check(texts[7], wrong)
     found = {(n, e): read(f"{work}/{n}/{n}.{e}") for n in lined for e in ("step", "igs")}
     # 4 x 4 cells: 25 vertices, 40 edges, 16 of them on the border; 10 lines of the net besides
     given = [found["skin", "step"].get(k) for k in

@@ -99,7 +99,7 @@ static void check_messages(const lam_errors *errors, bool good) {
     if (!e->text[0] || strchr(e->text, '\n') || e->place.line < 0) fail("a message is not one line");
 }
 
-static void try_surfaces(lam_arena *arena, const lam_format *format, const char *bytes, size_t size) {
+static bool try_surfaces(lam_arena *arena, const lam_format *format, const char *bytes, size_t size) {
   lam_errors errors = {.arena = arena};
   lam_spline_list list;
   bool good = format->read_surfaces(arena, bytes, size, (lam_place){.file = "fuzz"}, &errors, &list);
@@ -109,9 +109,10 @@ static void try_surfaces(lam_arena *arena, const lam_format *format, const char 
     evaluate(arena, &list.items[k]);
     write_surface(arena, &list.items[k]);
   }
+  return good;
 }
 
-static void try_curves(lam_arena *arena, const lam_format *format, const char *bytes, size_t size) {
+static bool try_curves(lam_arena *arena, const lam_format *format, const char *bytes, size_t size) {
   lam_errors errors = {.arena = arena};
   lam_curve_list list;
   bool good = format->read_curves(arena, bytes, size, (lam_place){.file = "fuzz"}, &errors, &list);
@@ -122,6 +123,7 @@ static void try_curves(lam_arena *arena, const lam_format *format, const char *b
     if (!name || !*name || strchr(name, '\n')) fail("a curve without a name in one line");
     write_curve(arena, &list.items[k]);
   }
+  return good;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -138,7 +140,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 }
 
 #ifdef LAM_FUZZ_DRIVER
-enum { largest = 8192, seeds = 7 };
+enum { largest = 8192, seeds = 8 };
 
 static uint64_t next(uint64_t *state) { /* xorshift64* (S. Vigna) */
   *state ^= *state >> 12;
@@ -154,12 +156,34 @@ static const char edges[] =
     "#4=VERTEX_POINT('',#2);\n#5=DIRECTION('',(1.,-1.,0.));\n#6=VECTOR('',#5,1.);\n#7=LINE('',#1,#6);\n"
     "#8=EDGE_CURVE('a',#3,#4,#7,.T.);\n#11=DIRECTION('',(0.,0.,1.));\n#13=AXIS2_PLACEMENT_3D('',#1,#11,$);\n"
     "#14=CIRCLE('',#13,2.);\n#15=SURFACE_CURVE('',#14,(#1),.C.);\n#16=EDGE_CURVE('b',#3,#4,#15,.F.);\n"
-    "#24=B_SPLINE_CURVE_WITH_KNOTS('',2,(#1,#5,#2),.U.,.F.,.F.,(3,3),(0.,3.),.U.);\n#27=EDGE_CURVE('',#4,#3,#24,.F.);\n"
+    "#17=CARTESIAN_POINT('',(1.,2.,3.));\n#24=B_SPLINE_CURVE_WITH_KNOTS('',2,(#1,#17,#2),.U.,.F.,.F.,(3,3),(0.,3.),.U.)"
+    ";\n#27=EDGE_CURVE('',#4,#3,#24,.F.);\n"
     "#30=TRIMMED_CURVE('c',#14,(PARAMETER_VALUE(90.)),(PARAMETER_VALUE(270.)),.T.,.P.);\n#40=POLYLINE('',(#1,#2));\n"
     "#41=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#1,#2),(#1,#2)),.U.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.U.);\n"
     "#42=ORIENTED_EDGE('',*,*,#8,.T.);\n#43=EDGE_LOOP('',(#42));\n#44=FACE_OUTER_BOUND('',#43,.T.);\n"
     "#45=ADVANCED_FACE('',(#44),#41,.T.);\n#90=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#91)));\n"
     "#91=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));\nENDSEC;\nEND-ISO-10303-21;\n";
+
+/* The same in IGES: a surface trimmed by a composite curve of a line, an arc and a polyline, and by a boundary. */
+static void add_iges_edges(lam_text *text) {
+  static const int types[] = {128, 110, 100, 106, 102, 142, 144, 141, 143};
+  static const char *const parameters[] = {"128,1,1,1,1,,,1,,,0,0,1,1,0,0,1,1,1,1,1,1,,,,2,,,,2,,2,2,,0,1,0,1;",
+                                           "110,0,0,0,2,2,0;",
+                                           "100,0,0,0,1,0,0,1;",
+                                           "106,2,2,0,0,0,1,1,1;",
+                                           "102,3,3,5,7;",
+                                           "142,1,1,3,9,2;",
+                                           "144,1,1,0,11;",
+                                           "141,1,1,1,1,3,1,1,5;",
+                                           "143,1,1,1,15;"};
+  enum { entities = 9 };
+  lam_text_printf(text, "%-72sS%7d\n%-72sG%7d\n", "", 1, "1H,,1H;,,,,,32,38,6,308,15,,1.0,6,1HM;", 1);
+  for (int i = 0; i < entities; i++)
+    lam_text_printf(text, "%8d%8d%40s%16sD%7d\n%8d%24d%8d%32sD%7d\n", types[i], i + 1, "", "00000000", 2 * i + 1,
+                    types[i], 1, types[i] == 106 ? 12 : 0, "", 2 * i + 2);
+  for (int i = 0; i < entities; i++) lam_text_printf(text, "%-72sP%7d\n", parameters[i], i + 1);
+  lam_text_printf(text, "%-72sT%7d\n", "", 1);
+}
 
 /* A biquadratic by linear rational patch and a cubic in each format, then as STEP and IGES without weights and with
  * open knots, then edges. */
@@ -174,6 +198,8 @@ static size_t seed(lam_arena *arena, int i, uint8_t *bytes) {
       .name = "fuzz", .version = "0", .surface_count = 1, .surfaces = &s, .curve_count = 1, .curves = &curve};
   lam_text text = {.arena = arena};
   if (i == seeds - 1)
+    add_iges_edges(&text);
+  else if (i == seeds - 2)
     lam_text_add(&text, edges);
   else
     writers[i % format_count]->write(&model, 0, &text);
@@ -221,7 +247,14 @@ int main(int argc, char **argv) {
   size_t sizes[seeds];
   lam_arena *arena = lam_arena_new();
   if (!arena) return 1;
-  for (int i = 0; i < seeds; i++) sizes[i] = seed(arena, i, files[i]);
+  for (int i = 0; i < seeds; i++) {
+    int read = 0;
+    sizes[i] = seed(arena, i, files[i]);
+    for (int f = 0; f < format_count; f++)
+      read += try_surfaces(arena, formats[f], (const char *)files[i], sizes[i]) +
+              try_curves(arena, formats[f], (const char *)files[i], sizes[i]);
+    if (read != 2) fail("a seed is not read");
+  }
   for (long i = 0; i < rounds; i++) {
     size_t size = sizes[i % seeds];
     memcpy(bytes, files[i % seeds], size);

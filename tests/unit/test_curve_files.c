@@ -150,14 +150,16 @@ static const char step_curves[] = STEP_BEGIN
     "#40=POLYLINE('bent',(#20,#21,#2));\n"
     "#50=B_SPLINE_CURVE_WITH_KNOTS('flat',1,(#52,#53),.UNSPECIFIED.,.F.,.F.,(2,2),(0.,1.),.UNSPECIFIED.);\n"
     "#52=CARTESIAN_POINT('',(0.,0.));\n#53=CARTESIAN_POINT('',(1.,0.));\n"
-    "#60=ELLIPSE('',#13,2.,1.);\n#61=EDGE_CURVE('oval',#3,#4,#60,.T.);\n" STEP_END;
+    "#60=PARABOLA('',#13,2.);\n#61=EDGE_CURVE('open',#3,#4,#60,.T.);\n"
+    "#62=ELLIPSE('',#13,2.,1.);\n#63=TRIMMED_CURVE('oval',#62,(#1),(PARAMETER_VALUE(90.),#65),.T.,.CARTESIAN.);\n"
+    "#65=CARTESIAN_POINT('',(-1.,0.,1.));\n" STEP_END;
 
 static void step_curves_of_others_are_read(void **state) {
-  static const char *const names[] = {"chord", "it's round", "#27", "half", "part", "third", "bent"};
+  static const char *const names[] = {"chord", "it's round", "#27", "half", "part", "third", "bent", "oval"};
   lam_curve_list list = curves_of(*state, &lam_format_step, step_curves);
-  assert_int_equal(list.count, 7);
-  assert_string_equal(list.other, "ELLIPSE");
-  for (int i = 0; i < 7; i++) assert_string_equal(list.items[i].name, names[i]);
+  assert_int_equal(list.count, 8);
+  assert_string_equal(list.other, "PARABOLA");
+  for (int i = 0; i < 8; i++) assert_string_equal(list.items[i].name, names[i]);
   const lam_spline_curve c[] = {list.items[0].spline, list.items[1].spline, list.items[2].spline, list.items[3].spline,
                                 list.items[4].spline, list.items[5].spline, list.items[6].spline};
   assert_place(start_of(&c[0]), 0, 2, 1, "chord");
@@ -179,12 +181,20 @@ static void step_curves_of_others_are_read(void **state) {
   assert_near(lam_distance(start_of(&c[4]), lam_v3(h, 2 - h, 1)), 0, 1e-15, "one step along the line");
   assert_near(lam_distance(end_of(&c[4]), lam_v3(2 * h, 2 - 2 * h, 1)), 0, 1e-15, "two steps");
   assert_near(lam_distance(end_of(&c[5]), lam_v3(1, 0, 0)), 0, 1e-15, "trimmed by parameters");
+  const lam_spline_curve *oval = &list.items[7].spline;
+  for (int i = 0; i <= 20; i++) { /* half axes: 2 along y, 1 along -x */
+    lam_vec3 x = point_at(oval, oval->knots[2] + i / 20.0 * (oval->knots[oval->count] - oval->knots[2]));
+    assert_near(x.x * x.x + x.y * x.y / 4, 1, 1e-14, "ellipse");
+    assert_true(x.x < 1e-15 && x.y > -1e-15);
+  }
+  assert_near(lam_distance(end_of(oval), lam_v3(-1, 0, 1)), 0, 1e-15, "end of the ellipse");
   assert_place(point_at(&c[6], 1), 1, 0, 0, "a corner");
   assert_place(end_of(&c[6]), 2, 0, 1, "its end");
 }
 
-/* In inches, with other delimiters: a line and an arc that entity 124 turns by 90 degrees about z and moves by 10
- * inches along x, a curve of which only the middle third counts, and one in the parameters of a surface. */
+/* In inches, with other delimiters: a line, an arc and a polyline that entity 124 turns by 90 degrees about z and moves
+ * by 10 inches along x, a curve of which only the middle third counts, and one in the parameters of a surface; data
+ * that are no polyline. */
 static const char *iges_curves(lam_arena *arena) {
   static const char *const directory[] = {"     124       1       0       0       0       0       0       000000000",
                                           "     124       0       0       1       0                               0",
@@ -195,26 +205,32 @@ static const char *iges_curves(lam_arena *arena) {
                                           "     126       4       0       0       0       0       0       000010000",
                                           "     126       0       0       2       0                   third       0",
                                           "     126       6       0       0       0       0       0       000010500",
-                                          "     126       0       0       1       0                               0"};
+                                          "     126       0       0       1       0                               0",
+                                          "     106       7       0       0       0       0       1       000000000",
+                                          "     106       0       0       1      11                    bent       0",
+                                          "     106       7       0       0       0       0       0       000000000",
+                                          "     106       0       0       1      20                    axis       0"};
   static const char *const parameters[] = {"124/0./-1./0./10./1./0./0./0./0./0./1./0.$                            1",
                                            "110/0./0./0./1./0./2.$                                                3",
                                            "100/3./0./0./1./0./0./1.$                                             5",
                                            "126/1/1/0/0/1/0/0./0./3./3./1./1./0./0./0./                           7",
                                            "3./0./0./1./2./0./0./1.$                                              7",
-                                           "126/1/1/0/0/1/0/0./0./3./3./1./1./0./0./0./3./0./0./1./2./0./0./1.$   9"};
+                                           "126/1/1/0/0/1/0/0./0./3./3./1./1./0./0./0./3./0./0./1./2./0./0./1.$   9",
+                                           "106/1/3/2./0./0./1./0./1./1.$                                        11"};
   lam_text text = {.arena = arena};
   add_line(&text, "a comment", 'S', 1);
   add_line(&text, "1H//1H$/3Ha/b/4Ha.ig/1Hx/1Hy/32/38/6/38/15/1Hz/1./1/2HIN/1/.1/", 'G', 1);
   add_line(&text, "15H20000101.000000/1.D-3/10.$", 'G', 2);
-  for (int i = 0; i < 10; i++) add_line(&text, directory[i], 'D', i + 1);
-  for (int i = 0; i < 6; i++) add_line(&text, parameters[i], 'P', i + 1);
-  add_line(&text, "S      1G      2D     10P      6", 'T', 1);
+  for (int i = 0; i < 14; i++) add_line(&text, directory[i], 'D', i + 1);
+  for (int i = 0; i < 7; i++) add_line(&text, parameters[i], 'P', i + 1);
+  add_line(&text, "S      1G      2D     14P      7", 'T', 1);
   return text.data;
 }
 
 static void iges_curves_of_others_are_read(void **state) {
   lam_curve_list list = curves_of(*state, &lam_format_iges, iges_curves(*state));
-  assert_int_equal(list.count, 3);
+  assert_int_equal(list.count, 4);
+  assert_string_equal(list.items[3].name, "bent");
   assert_string_equal(list.items[0].name, "line");
   assert_string_equal(list.items[1].name, "D5");
   assert_string_equal(list.items[2].name, "third");
@@ -226,6 +242,10 @@ static void iges_curves_of_others_are_read(void **state) {
   assert_near(lam_distance(end_of(arc), lam_v3(9 * inch, 0, 3 * inch)), 0, 1e-15, "arc");
   lam_curve quarter = lam_curve_of_spline(*state, arc);
   assert_near(lam_curve_length(&quarter, quarter.from, quarter.to, 1e-12), pi / 2 * inch, 1e-14, "a quarter turn");
+  const lam_spline_curve *bent = &list.items[3].spline;
+  assert_near(lam_distance(point_at(bent, 1), lam_v3(10 * inch, inch, 2 * inch)), 0, 1e-15,
+              "the corner of the polyline");
+  assert_near(lam_distance(end_of(bent), lam_v3(9 * inch, inch, 2 * inch)), 0, 1e-15, "its end");
   assert_near(lam_distance(start_of(third), lam_v3(inch, 0, 0)), 0, 1e-15, "third");
   assert_near(lam_distance(end_of(third), lam_v3(2 * inch, 0, 0)), 0, 1e-15, "third");
 }
@@ -342,10 +362,10 @@ static void bad_curves_are_refused_with_a_reason(void **state) {
   assert_string_equal(curves_of(*state, &lam_format_surface, json).items[0].name, "curves[0]");
   check_refused(state, &lam_format_surface, json, bad_json, sizeof bad_json / sizeof *bad_json);
   lam_curve_list list;
-  const char *message, none[] = STEP_BEGIN "#1=ELLIPSE('',#2,2.,1.);\n#3=EDGE_CURVE('',#4,#4,#1,.T.);\n"
+  const char *message, none[] = STEP_BEGIN "#1=PARABOLA('',#2,2.);\n#3=EDGE_CURVE('',#4,#4,#1,.T.);\n"
                                            "#4=VERTEX_POINT('',#5);\n#5=CARTESIAN_POINT('',(0.,0.,0.));\n" STEP_END;
   assert_false(try_curves(*state, &lam_format_step, none, sizeof none - 1, &list, &message));
-  assert_string_equal(message, "0: has no curve but ELLIPSE; expected B-splines, lines or arcs");
+  assert_string_equal(message, "0: has no curve but PARABOLA; expected B-splines, lines or arcs");
 }
 
 /* Cut anywhere, the files are refused with one message or, when only blanks are missing, read. */

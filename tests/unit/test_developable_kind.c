@@ -56,6 +56,52 @@ static void units_are_lengths(void **state) {
   for (int i = 3; i < 5; i++) assert_true(fabs(b.measures[i].max / a.measures[i].max - 1) < 1e-6);
 }
 
+static const lam_measure *figure(const lam_stage *stage, const char *name) {
+  for (int i = 0; i < stage->measure_count; i++)
+    if (!strcmp(stage->measures[i].name, name)) return &stage->measures[i];
+  fail_msg("the report has no %s", name);
+  return NULL;
+}
+
+static bool noted(const lam_stage *stage, const char *part) {
+  for (int i = 0; i < stage->note_count; i++)
+    if (strstr(stage->notes[i], part)) return true;
+  return false;
+}
+
+/* The default boundary has a corner bound of .0864977 (see tests/cases/developable/boundaries.json, D3). The least mean
+ * square, .0172076, has 3.2 times that at most (.276873); the least maximum attains it, at a larger mean square.
+ * Singular values of the flattening lie around 1, and their ratio is at most 1.0137 (independent program). */
+static void reports_tell_what_remains_and_what_must(void **state) {
+  lam_fixture *f = *state;
+  lam_surface least = made(f, "developable", ""), even = made(f, "developable", "method: minimax");
+  lam_stage a = {0}, b = {0};
+  least.kind->report(f->arena, least.data, &a);
+  even.kind->report(f->arena, even.data, &b);
+  assert_true(fabs(figure(&a, "gauss_curvature_l2")->max - .0172076) < 1e-7);
+  assert_true(fabs(figure(&a, "gauss_curvature_max")->max - .276873) < 1e-5);
+  assert_true(fabs(figure(&a, "corner_bound")->max - .0864977) < 1e-6);
+  assert_true(noted(&a, "has 3.201 times that") && !noted(&a, "attains it"));
+  assert_true(figure(&b, "gauss_curvature_l2")->max > .0173);
+  assert_true(fabs(figure(&b, "gauss_curvature_max")->max / figure(&b, "corner_bound")->max - 1) < 1e-5);
+  assert_true(noted(&b, "attains it"));
+  assert_true(fabs(figure(&a, "flattening_distortion")->max - 1.0137) < 1e-4);
+  assert_true(figure(&a, "flattening_stretch")->max > 1 && figure(&a, "flattening_stretch")->max < 1.0137);
+  assert_true(figure(&a, "flattening_compression")->min < 1 && figure(&a, "flattening_compression")->min > 1 / 1.0137);
+}
+
+/* Where the sides lie on a plane nothing remains, and rounding sets no bound. */
+static void planes_have_no_bound(void **state) {
+  lam_fixture *f = *state;
+  lam_surface s = made(f, "developable",
+                       "curves: [{points: [0, 0, 0, 1, .5, .3, 3, 0, 0]}, {points: [0, 0, 0, 0, 3, 1.8]}, "
+                       "{points: [0, 3, 1.8, 3, 3, 1.8]}, {points: [3, 0, 0, 3, 3, 1.8]}]");
+  lam_stage stage = {0};
+  s.kind->report(f->arena, s.data, &stage);
+  assert_true(figure(&stage, "gauss_curvature_max")->max < 1e-12);
+  assert_true(noted(&stage, "no bound"));
+}
+
 static void refused(lam_fixture *f, const char *text, const char *key, const char *part) {
   int before = f->errors.count;
   assert_null(make(f, "developable", text).kind);
@@ -84,8 +130,9 @@ static void wrong_boundaries_are_refused(void **state) {
 #define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
 
 int main(void) {
-  const struct CMUnitTest tests[] = {TEST(degrees_are_raised),
-                                     TEST(splines_have_no_more_curvature_than_their_single_patch),
-                                     TEST(units_are_lengths), TEST(wrong_boundaries_are_refused)};
+  const struct CMUnitTest tests[] = {
+      TEST(degrees_are_raised),   TEST(splines_have_no_more_curvature_than_their_single_patch),
+      TEST(units_are_lengths),    TEST(reports_tell_what_remains_and_what_must),
+      TEST(planes_have_no_bound), TEST(wrong_boundaries_are_refused)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

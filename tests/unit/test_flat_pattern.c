@@ -83,6 +83,35 @@ static void marks_and_name_lie_on_the_sheet(void **state) {
   lam_arena_free(arena);
 }
 
+/* The tangents of the helix (cos a, sin a, a/2), from .3 to .7 m along them: a ramp whose pattern is part of a ring.
+ * Per turn the ring is run through by 2 pi / sqrt(1.25), .89 turns: two turns of ramp lie on each other when laid flat,
+ * with no triangle turned over. */
+static double turns;
+static lam_vec3 ramp(double u, double v) {
+  double a = M_PI * turns * u, t = 0.5 - 0.2 * v;
+  return lam_v3(cos(a) - t * sin(a), sin(a) + t * cos(a), (a + t) / 2);
+}
+
+static void patterns_that_lie_on_themselves_are_reported(void **state) {
+  (void)state;
+  for (int k = 0; k < 2; k++) {
+    lam_arena *arena = lam_arena_new();
+    turns = k ? 2 : 1;
+    lam_mesh mesh = fixture_grid(arena, 61, 4, ramp);
+    lam_workshop shop = fixture_workshop(arena, &mesh);
+    add(&shop, "{thickness: 2 mm}");
+    assert_int_equal(shop.part_count, 1);
+    const lam_stage *stage = &shop.stages[shop.stage_count - 1];
+    if (stage->converged != !k) fail_msg("%d: %s", k, stage->reason);
+    if (k) assert_string_equal(stage->reason, "the pattern overlaps itself");
+    for (int i = 0; i < stage->measure_count; i++) {
+      if (!strcmp(stage->measures[i].name, "outline_crossings")) assert_true((stage->measures[i].max > 0) == k);
+      if (!strcmp(stage->measures[i].name, "turned_triangles")) assert_true(stage->measures[i].max == 0);
+    }
+    lam_arena_free(arena);
+  }
+}
+
 static lam_vec3 saddle(double u, double v) { return lam_v3(u, v, 0.5 * u * v); }
 
 static void what_cannot_lie_flat_is_refused(void **state) {
@@ -104,8 +133,8 @@ static void what_cannot_lie_flat_is_refused(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(a_cylinder_becomes_a_rectangle),
-                                     cmocka_unit_test(marks_and_name_lie_on_the_sheet),
-                                     cmocka_unit_test(what_cannot_lie_flat_is_refused)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(a_cylinder_becomes_a_rectangle), cmocka_unit_test(patterns_that_lie_on_themselves_are_reported),
+      cmocka_unit_test(marks_and_name_lie_on_the_sheet), cmocka_unit_test(what_cannot_lie_flat_is_refused)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

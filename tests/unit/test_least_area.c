@@ -240,7 +240,12 @@ static void test_saddle(void **state) {
   assert_true(largest < 1e-12);
   lam_least_area_options options = lam_least_area_defaults();
   s = lam_spline_surface_refine(f->arena, &s, 4);
+  options.accept_saddles = true;
   lam_least_area_result r = lam_least_area_minimize(f->arena, &s, &options);
+  assert_true(r.converged && r.saddles == 0);
+  assert_relative(lam_surface_area(f->arena, &r.surface, 12), area, 1e-9, "Enneper", "area of the saddle");
+  options.accept_saddles = false;
+  r = lam_least_area_minimize(f->arena, &s, &options);
   assert_true(r.saddles >= 1);
   if (!(lam_surface_area(f->arena, &r.surface, 12) < 0.99 * area)) fail_msg("area %.8g of %.8g", r.area, area);
 }

@@ -50,6 +50,29 @@ static void distances_are_kept_by_the_flattening(void **state) {
   dev_near(print->sheets[2].max_stretch, 2.93, 0.005);
 }
 
+/* Places on the color scale are the distortion around a vertex: on the sheet that was flattened first all are near its
+ * dark end, (1.0137 - 1)/(2.93 - 1) of it at most; along the parameters they go nearly to its light one. The triangle
+ * of the largest ratio has neighbors of a little less. */
+static void distortion_has_the_colors_of_its_values(void **state) {
+  dev_fixture *f = *state;
+  lam_spline_surface s = dev_solved(f->arena, dev_case(f, "D3"));
+  lam_print *print = lam_print_make(f->arena, &s, LAM_MOTIF_DISTORTION, LAM_PRINT_COMPARE, 40);
+  assert_int_equal(print->count, 4);
+  for (int k = 0; k < 4; k++) {
+    double low = INFINITY, high = 0;
+    for (int v = 0; v < print->sheets[k].mesh.vertex_count; v++) {
+      low = fmin(low, print->sheets[k].places[v].x);
+      high = fmax(high, print->sheets[k].places[v].x);
+    }
+    assert_true(low >= 0 && low < 0.05);
+    if (k < 2 ? high > 0.0085 : high < 0.9 || high > 1) fail_msg("%s: up to %.4g", print->sheets[k].name, high);
+  }
+  const unsigned char *pixels = lam_motif_draw(f->arena, LAM_MOTIF_DISTORTION, 1, 1, 64);
+  for (int column = 1; column < 64; column++) /* lightness rises, so green does */
+    assert_true(pixels[3 * column + 1] >= pixels[3 * (column - 1) + 1]);
+  assert_memory_equal(pixels, pixels + 3 * 64 * 63, 3 * 64);
+}
+
 /* The scene names texture coordinates and holds the picture as it is: a PNG file. */
 static void gltf_carries_the_print(void **state) {
   dev_fixture *f = *state;
@@ -80,7 +103,8 @@ static void gltf_carries_the_print(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {DEV_TEST(pictures_have_the_right_ink),
-                                     DEV_TEST(distances_are_kept_by_the_flattening), DEV_TEST(gltf_carries_the_print)};
+  const struct CMUnitTest tests[] = {
+      DEV_TEST(pictures_have_the_right_ink), DEV_TEST(distances_are_kept_by_the_flattening),
+      DEV_TEST(distortion_has_the_colors_of_its_values), DEV_TEST(gltf_carries_the_print)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
