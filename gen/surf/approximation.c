@@ -132,11 +132,14 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const approximation_data *d = data;
   const lam_spline_surface *s = lam_nurbs_spline(d->nurbs);
-  stage->iterations = d->within > 0 ? d->fits : -1;
-  stage->converged = d->most <= d->within;
-  stage->residual = d->most;
-  stage->reason = stage->converged ? "no point is farther than `within`"
-                                   : "a point is farther than `within`, with as many control points as there may be";
+  stage->iterations = -1;
+  if (d->within > 0) {
+    stage->iterations = d->fits;
+    stage->converged = d->most <= d->within;
+    stage->residual = d->most;
+    stage->reason = stage->converged ? "no point is farther than `within`"
+                                     : "a point is farther than `within`, with as many control points as there may be";
+  }
   lam_stage_measure(arena, stage, "point_distance", "m", d->most, d->mean, d->total);
   lam_stage_note(arena, stage, "%d points, %d x %d control points", d->total, s->count[0], s->count[1]);
   lam_stage_note(arena, stage, "mean distance before the parameters were corrected: %.4g m", d->before);
