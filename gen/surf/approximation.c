@@ -14,13 +14,13 @@ static const char *const knot_names[] = {[EVEN] = "even", [DENSE] = "dense", NUL
 typedef struct approximation_keys {
   lam_point_keys points;
   int grid[2], count[2], degree[2], corrections, knots;
-  double fairness;
+  double fairness, within;
 } approximation_keys;
 
 typedef struct approximation_data {
   const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
-  int total;
-  double most, mean, before; /* distances of the points, m: in the end; mean before parameters were corrected */
+  int total, fits;
+  double within, most, mean, before; /* distances of the points, m: in the end; mean before parameters were corrected */
 } approximation_data;
 
 static bool check(const approximation_keys *keys, int count, lam_place place, lam_errors *errors) {
@@ -53,40 +53,77 @@ static bool grid_parameters(lam_arena *arena, const int grid[2], const lam_vec3 
   return true;
 }
 
+/* What is fitted: the points, and where their feet are by now. */
+typedef struct lam_cloud {
+  const approximation_keys *keys;
+  lam_surface_space space;
+  int total;
+  const lam_vec3 *points;
+  lam_vec2 *t;
+} lam_cloud;
+
+/* The surface in cloud->space, with parameters corrected; false: it is not determined. */
+static bool fit(lam_arena *arena, lam_cloud *cloud, lam_spline_surface *surface, approximation_data *data) {
+  lam_surface_space *space = &cloud->space;
+  for (int d = 0; d < 2 && cloud->keys->knots == DENSE; d++)
+    space->knots[d] = lam_surface_knots(arena, space->degree[d], space->count[d], cloud->total, cloud->t, d);
+  for (int step = 0; step <= cloud->keys->corrections; step++) {
+    if (!lam_surface_near(arena, space, cloud->total, cloud->t, cloud->points, surface)) return false;
+    data->most = lam_surface_feet(surface, cloud->total, cloud->points, cloud->t, &data->mean);
+    if (data->fits == 0 && step == 0) data->before = data->mean;
+  }
+  data->fits++;
+  return true;
+}
+
+/* A quarter more control points in both directions and a sixteenth of the fairness; false: they would be more than
+ * points.
+ */
+static bool grow(lam_cloud *cloud) {
+  int more[2], *count = cloud->space.count;
+  for (int d = 0; d < 2; d++) {
+    more[d] = count[d] + (count[d] + 3) / 4;
+    if (more[d] > MAX_COUNT) more[d] = MAX_COUNT;
+  }
+  if (more[0] * more[1] > cloud->total || (more[0] == count[0] && more[1] == count[1])) return false;
+  count[0] = more[0];
+  count[1] = more[1];
+  cloud->space.fairness /= 16;
+  return true;
+}
+
 static const void *prepare(lam_arena *arena, const void *params, lam_place place, lam_errors *errors) {
   const approximation_keys *keys = params;
-  int total;
-  const lam_vec3 *points = lam_points_given(arena, &keys->points, 4, place, errors, &total);
-  if (!points || !check(keys, total, place, errors)) return NULL;
-  lam_vec2 *t = LAM_NEW(arena, lam_vec2, total);
-  lam_surface_space space = {.fairness = keys->fairness};
+  lam_cloud cloud = {.keys = keys, .space = {.fairness = keys->fairness}};
+  cloud.points = lam_points_given(arena, &keys->points, 4, place, errors, &cloud.total);
+  if (!cloud.points || !check(keys, cloud.total, place, errors)) return NULL;
+  cloud.t = LAM_NEW(arena, lam_vec2, cloud.total);
   for (int d = 0; d < 2; d++) {
-    space.degree[d] = keys->degree[d];
-    space.count[d] = keys->count[d];
+    cloud.space.degree[d] = keys->degree[d];
+    cloud.space.count[d] = keys->count[d];
   }
-  bool spread = keys->grid[0] ? grid_parameters(arena, keys->grid, points, t, space.length)
-                              : lam_cloud_parameters(total, points, t, space.length);
+  bool spread = keys->grid[0] ? grid_parameters(arena, keys->grid, cloud.points, cloud.t, cloud.space.length)
+                              : lam_cloud_parameters(cloud.total, cloud.points, cloud.t, cloud.space.length);
   if (!spread) {
     lam_error_add(errors, place, "points",
                   "they lie on a line, or two rows of the grid are the same; expected points "
                   "that spread over a surface");
     return NULL;
   }
-  for (int d = 0; d < 2 && keys->knots == DENSE; d++)
-    space.knots[d] = lam_surface_knots(arena, space.degree[d], space.count[d], total, t, d);
   approximation_data *data = LAM_NEW(arena, approximation_data, 1);
+  data->total = cloud.total;
+  data->within = keys->within;
   lam_spline_surface surface;
-  data->total = total;
-  for (int step = 0; step <= keys->corrections; step++) {
-    if (!lam_surface_near(arena, &space, total, t, points, &surface)) {
-      lam_error_add(errors, place, "fairness",
-                    "without fairness %d points do not determine %d x %d control points; expected fewer control points "
-                    "or a fairness above 0",
-                    total, keys->count[0], keys->count[1]);
-      return NULL;
-    }
-    data->most = lam_surface_feet(&surface, total, points, t, &data->mean);
-    if (step == 0) data->before = data->mean;
+  bool found = fit(arena, &cloud, &surface, data);
+  while (found && keys->within > 0 && data->most > keys->within && grow(&cloud))
+    found = fit(arena, &cloud, &surface, data);
+  if (!found) {
+    lam_error_add(
+        errors, place, "fairness",
+        "without fairness %d points do not determine %d x %d control points; expected fewer control points or "
+        "a fairness above 0",
+        cloud.total, cloud.space.count[0], cloud.space.count[1]);
+    return NULL;
   }
   data->nurbs = lam_nurbs_make(arena, &surface);
   return data;
@@ -96,6 +133,13 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const approximation_data *d = data;
   const lam_spline_surface *s = lam_nurbs_spline(d->nurbs);
   stage->iterations = -1;
+  if (d->within > 0) {
+    stage->iterations = d->fits;
+    stage->converged = d->most <= d->within;
+    stage->residual = d->most;
+    stage->reason = stage->converged ? "no point is farther than `within`"
+                                     : "a point is farther than `within`, with as many control points as there may be";
+  }
   lam_stage_measure(arena, stage, "point_distance", "m", d->most, d->mean, d->total);
   lam_stage_note(arena, stage, "%d points, %d x %d control points", d->total, s->count[0], s->count[1]);
   lam_stage_note(arena, stage, "mean distance before the parameters were corrected: %.4g m", d->before);
@@ -159,6 +203,18 @@ static const lam_key keys[] = {
      .doc =
          "Weight of the bending energy against the mean square distance: 1e-6 bridges gaps between points, 1e-4 takes "
          "out noise, 1e-2 flattens."},
+    {.name = "within",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     AT(within),
+     .count = 1,
+     .initial = "0",
+     .min = 0,
+     .max = 1e6,
+     .doc =
+         "No point shall be farther from the surface, before `size` scales it: control points are added and fairness "
+         "is taken away, a sixteenth of it left each time, until that is so, at most as many as there are points; 0: "
+         "`count` as it is."},
     {.name = "corrections",
      .type = LAM_KEY_INTEGER,
      AT(corrections),

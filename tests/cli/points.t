@@ -28,9 +28,10 @@ ok "--deps names the file" grep -q 'scan.csv' rule
 design scan.obj 'fairness: 0'
 run build scan.yaml -o mesh --only obj,report
 ok "the vertices of a mesh are points" on_the_surface mesh/net.obj
-design scan.csv 'fairness: 0, grid: [12, 10]'
-run build scan.yaml -o grid --only report
-ok "a grid counts the points of the file" test $status -eq 0
+sort -s -t';' -g -k1,1 body >sorted.csv
+design sorted.csv 'fairness: 0, grid: [12, 10]'
+run build scan.yaml -o grid --only obj,report
+ok "a file may hold the rows of a grid" on_the_surface grid/net.obj
 design scan.csv 'grid: [12, 11]'
 run check scan.yaml
 ok "and says when they are others" grep -qF '12 x 11 with 120 points' err
@@ -49,7 +50,6 @@ ok "decimal commas are told once" test "$(grep -c 'expected a decimal point' err
 design scan.yaml 'fairness: 0'
 run check scan.yaml
 ok "other files are refused, with those that are read" grep -qF 'expected .xyz, .pts, .csv' err
-sort -s -t';' -g -k1,1 body >sorted.csv
 printf 'lamella: 1\nname: scan\nsurface: {kind: interpolation, file: sorted.csv, unit: cm, count: [12, 10]}\nnet: {kind: free, grid: [4, 3]}\n' >scan.yaml
 run build scan.yaml -o through --only obj,report
 ok "a surface through the points of a file" on_the_surface through/net.obj
