@@ -147,7 +147,7 @@ static bool load_net(void *context, lam_arena *arena, const char *name, lam_plac
   lam_model model;
   if (lam_file_read(arena, files.design, (size_t)LAM_DESIGN_MAX_BYTES, errors, &bytes, &count) != LAM_OK) return false;
   if (!lam_design_parse(arena, bytes, count, files.design, NULL, 0, errors, &design)) return false;
-  lam_references_check(&design, errors);
+  lam_references_check(&design, false, errors);
   design.parts.count = 0;
   lam_loader loader = {.mesh = load_mesh,
                        .triangles = load_triangles,
@@ -241,7 +241,7 @@ static int build(lam_arena *arena, int argc, char **argv) {
   if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK)
     return lam_complain(&errors);
   lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, design);
-  if (errors.count == 0) lam_references_check(design, &errors);
+  if (errors.count == 0) lam_references_check(design, false, &errors);
   if (errors.count) return lam_complain(&errors);
   source_files files = {.design = given.path};
   lam_loader loader = {.mesh = load_mesh,

@@ -108,7 +108,7 @@ static int check(lam_arena *arena, int argc, char **argv) {
   if (lam_file_read(arena, given.path, (size_t)LAM_DESIGN_MAX_BYTES, &errors, &bytes, &count) != LAM_OK)
     return lam_complain(&errors);
   if (lam_design_parse(arena, bytes, count, given.path, given.overrides, given.override_count, &errors, &design)) {
-    lam_references_check(&design, &errors);
+    lam_references_check(&design, true, &errors);
   }
   if (errors.count > 0) return lam_complain(&errors);
   lam_text text = {.arena = arena};

@@ -25,7 +25,7 @@ static bool check_file(const lam_design *design, const char *file, lam_place pla
 }
 
 /* What is wrong with the surface when its keys, or the file that it stands in, are taken together. */
-static void check_surface(const lam_design *design, lam_errors *errors) {
+static void check_surface(const lam_design *design, bool make, lam_errors *errors) {
   const lam_row *row = &design->surface;
   const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
   if (kind->reads_file) {
@@ -48,7 +48,7 @@ static void check_surface(const lam_design *design, lam_errors *errors) {
     const char *path = beside(design, cloud->file, errors->arena);
     if (!lam_input_points(errors->arena, path, errors, &cloud->count, &cloud->points)) return;
   }
-  lam_surface_make(errors->arena, row, errors);
+  if (make) lam_surface_make(errors->arena, row, errors);
 }
 
 /* Without templates there is nothing to compare with. */
@@ -59,8 +59,8 @@ static void check_setting(const lam_design *design, lam_errors *errors) {
                 "given %s; expected the name of a file in templates/pov, such as plaza", setting);
 }
 
-void lam_references_check(const lam_design *design, lam_errors *errors) {
-  if (design->surface.head) check_surface(design, errors);
+void lam_references_check(const lam_design *design, bool make_surface, lam_errors *errors) {
+  if (design->surface.head) check_surface(design, make_surface, errors);
   check_setting(design, errors);
   lam_measures_check(&design->plots, true, (lam_place){.file = design->path}, "plots", errors);
   if (!design->net.head) return;

@@ -69,9 +69,14 @@ static double box_size(int count, const lam_vec3 *x) {
 /* Power 2, by Newton's method with half the places first. */
 static void mean_square(lam_developing *d, const lam_developable_options *options, const lam_gauss_norm *quick) {
   const lam_gauss_norm *last = d->norm;
-  d->norm = quick;
-  if (by_newton(options)) minimize(d, options, 8);
+  int most = d->max_iterations;
+  if (by_newton(options)) {
+    d->norm = quick;
+    d->max_iterations = most < 60 ? most : 60; /* it is only a start */
+    minimize(d, options, 8);
+  }
   d->norm = last;
+  d->max_iterations = most;
   minimize(d, options, 0);
 }
 
