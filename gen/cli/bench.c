@@ -54,9 +54,9 @@ static int bench(lam_arena *arena, int argc, char **argv) {
   else
     printf("dense kernels: %s%s%s\n", lam_blas_kernel(), lam_blas_advice() ? "; " : "",
            lam_blas_advice() ? lam_blas_advice() : "");
-  bool done = (b.only || (lam_bench_factor(&b) && lam_bench_surfaces(&b) && lam_bench_quads(&b))) &&
-              lam_bench_thesis(&b) && lam_bench_sizes(&b);
+  bool done = b.only || (lam_bench_factor(&b) && lam_bench_surfaces(&b) && lam_bench_quads(&b));
   if (done && !b.only) lam_bench_developable(&b);
+  done = done && lam_bench_thesis(&b) && lam_bench_sizes(&b);
   if (json && done) {
     json_dumpf(b.json, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(6));
     puts("");
