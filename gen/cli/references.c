@@ -69,3 +69,25 @@ void lam_references_check(const lam_design *design, bool make_surface, lam_error
   check_file(design, net->from.file, design->net.place, "net.from.file", errors);
   check_file(design, net->reference.file, design->net.place, "net.reference.file", errors);
 }
+
+int lam_references_list(lam_arena *arena, const lam_design *design, const char *files[LAM_REFERENCES]) {
+  const char *named[LAM_REFERENCES] = {NULL};
+  int count = 0, all = 0;
+  if (design->surface.head) {
+    const lam_surface_kind *kind = (const lam_surface_kind *)design->surface.head;
+    void *params = design->surface.params;
+    if (kind->reads_file) named[all++] = ((const lam_surface_source *)params)->file;
+    if (kind->sides) named[all++] = kind->sides(params)->file;
+    if (kind->points) named[all++] = kind->points(params)->file;
+  }
+  if (design->net.head) {
+    const lam_net_common *net = design->net.common;
+    named[all++] = net->from.file;
+    named[all++] = net->reference.file;
+    const char *other = net->from.design;
+    if (other) named[all++] = strrchr(other, '.') ? other : lam_arena_printf(arena, "%s.yaml", other);
+  }
+  for (int i = 0; i < all; i++)
+    if (named[i]) files[count++] = named[i];
+  return count;
+}

@@ -97,6 +97,19 @@ run new enneper-model
 refused_with 'exists' && [[ $(cat "$scratch/enneper-model.yaml") == mine ]]; ok "new overwrites nothing"
 run new enneper-model -o other.yaml
 [[ $status -eq 0 ]] && cmp -s "$scratch/other.yaml" templates/designs/enneper-model.yaml; ok "new -o chooses the name"
+# every shipped design, in a folder of its own, with the files that it names
+mkdir "$scratch/new" && wrong=''
+for design in $(cd templates/designs && ls ./*.yaml); do
+  design=$(basename "$design" .yaml)
+  run new "$design" -o "new/$design.yaml"
+  [[ $status -eq 0 || -e $scratch/new/$design.yaml ]] || wrong="$wrong $design"
+done
+[[ -z $wrong ]] && missing=$(cd templates/designs && for file in *; do [[ -e $scratch/new/$file ]] || echo "$file"; done)
+echo "$wrong: $missing" >"$scratch/out"
+[[ -z $wrong && -z $missing ]]; ok "new copies the files that a design names: all that are shipped"
+echo mine >"$scratch/hypar.obj"
+run new hypar-roof
+refused_with 'hypar.obj exists and differs' && [[ ! -e $scratch/hypar-roof.yaml ]]; ok "new does not overwrite a file that a design names"
 run new eneper-model
 refused_with 'did you mean enneper-model?'; ok "new corrects a misspelled design"
 run new enneper-model -o no/such/folder.yaml
@@ -105,7 +118,7 @@ run new enneper-model -o no/such/folder.yaml
 run check other.yaml
 good_with '^net  *asymptotic: '; ok "check says what would be built"
 grep -q '^part  *lamella: ' "$scratch/out"; ok "check names the parts"
-[[ $(ls "$scratch" | sort | tr '\n' ' ') == "enneper-model.yaml err other.yaml out page " ]]; ok "check writes no file"
+[[ $(ls "$scratch" | sort | tr "\n" " ") == "enneper-model.yaml err hypar.obj new other.yaml out page " ]]; ok "check writes no file"
 run check other.yaml --set 'net.grid=[6, 7]' --set 'parts[0].height=3 cm' --set sheets.kerf=0.2\ mm
 tr -s ' \n' ' ' <"$scratch/out" | grep -q 'grid \[6, 7\]' && grep -q 'height 30 mm' "$scratch/out" && grep -q 'kerf 0.2 mm' "$scratch/out"
 ok "--set overrides keys"
