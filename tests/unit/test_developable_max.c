@@ -33,13 +33,13 @@ static lam_spline_surface minimax(lam_arena *arena, const json_t *c) {
   return minimax_from(arena, dev_coons(arena, c));
 }
 
-/* At 801 x 801 places, by the fundamental forms: nothing between the places that were minimized over may stick out. */
+/* At 401 x 401 places, by the fundamental forms: nothing between the places that were minimized over may stick out. */
 static void the_largest_curvature_is_below_any_found_before(void **state) {
   dev_fixture *f = *state;
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
     json_t *c = dev_case(f, cases[k].name);
     lam_spline_surface s = minimax(f->arena, c);
-    lam_developable_measures m = lam_developable_measure(f->arena, &s, 10, 800);
+    lam_developable_measures m = lam_developable_measure(f->arena, &s, 10, 400);
     if (!(m.max <= cases[k].found))
       fail_msg("%s: max|K| is %.9g; found before: %g", cases[k].name, m.max, cases[k].found);
     if (cases[k].meets_bound) dev_close(cases[k].name, "max|K|", m.max, dev_number(c, "corner_bound"), 1e-5);
