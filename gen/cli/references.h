@@ -9,8 +9,8 @@
  * and which building finds anyway. The design must have been parsed without errors. */
 void lam_references_check(const lam_design *design, bool make_surface, lam_errors *errors);
 
-/* The files beside the design that it names: meshes, points, curves, surfaces, and designs as NAME.yaml. The design must
- * have been parsed without errors. Returns how many, at most LAM_REFERENCES. */
+/* The files beside the design that it names: meshes, points, curves, surfaces, and designs as NAME.yaml. The design
+ * must have been parsed without errors. Returns how many, at most LAM_REFERENCES. */
 enum { LAM_REFERENCES = 8 };
 int lam_references_list(lam_arena *arena, const lam_design *design, const char *files[LAM_REFERENCES]);
 

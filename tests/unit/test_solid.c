@@ -287,9 +287,8 @@ static void a_component_that_cuts_itself_is_answered(void **state) {
   assert_near(overlap_of(&bar, &plate, NULL), 4.75, 1e-13);
 }
 
-/* Of a torus of 2 x 96 x 64 triangles (a large mesh, answered by integration) a box around the half x > 0 holds half the
- * volume, for the torus is symmetric. The whole volume comes from
- * the divergence theorem. */
+/* Of a torus of 2 x 96 x 64 triangles (a large mesh, answered by integration) a box around the half x > 0 holds half
+ * the volume, for the torus is symmetric. The whole volume comes from the divergence theorem. */
 static void a_large_mesh_and_a_box(void **state) {
   lam_trimesh torus = mesh_torus(*state, 3, 1, 96, 64);
   double whole = measured(&torus).volume;
