@@ -24,31 +24,37 @@ static bool check_file(const lam_design *design, const char *file, lam_place pla
   return false;
 }
 
-/* What is wrong with the surface when its keys, or the file that it stands in, are taken together. */
+/* Reads the file that a surface stands in, or its curves or points. */
+static bool read_surface(const lam_design *design, lam_errors *errors) {
+  const lam_row *row = &design->surface;
+  const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
+  lam_surface_source *source = kind->reads_file ? row->params : NULL;
+  lam_sides_keys *sides = kind->sides ? kind->sides(row->params) : NULL;
+  lam_point_file *cloud = kind->points ? kind->points(row->params) : NULL;
+  lam_arena *arena = errors->arena;
+  if (source) {
+    lam_spline_surface *surface = LAM_NEW(arena, lam_spline_surface, 1);
+    const char *path = beside(design, source->file, arena);
+    if (!lam_input_surface(arena, path, source->face, errors, surface, &source->note)) return false;
+    source->surface = surface;
+  }
+  if (sides && sides->file &&
+      !lam_input_curves(arena, beside(design, sides->file, arena), errors, &sides->read_count, &sides->read))
+    return false;
+  return !cloud || !cloud->file ||
+         lam_input_points(arena, beside(design, cloud->file, arena), errors, &cloud->count, &cloud->points);
+}
+
+/* What is wrong with the surface when its keys, or the file that it stands in, are taken together; with make only, as
+ * building reads and makes it too. */
 static void check_surface(const lam_design *design, bool make, lam_errors *errors) {
   const lam_row *row = &design->surface;
   const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
-  if (kind->reads_file) {
-    lam_surface_source *source = row->params;
-    lam_spline_surface *surface = LAM_NEW(errors->arena, lam_spline_surface, 1);
-    if (!check_file(design, source->file, row->place, "surface.file", errors)) return;
-    const char *path = beside(design, source->file, errors->arena);
-    if (!lam_input_surface(errors->arena, path, source->face, errors, surface, &source->note)) return;
-    source->surface = surface;
-  }
-  lam_sides_keys *sides = kind->sides ? kind->sides(row->params) : NULL;
-  if (sides && sides->file) {
-    if (!check_file(design, sides->file, row->place, "surface.file", errors)) return;
-    const char *path = beside(design, sides->file, errors->arena);
-    if (!lam_input_curves(errors->arena, path, errors, &sides->read_count, &sides->read)) return;
-  }
-  lam_point_file *cloud = kind->points ? kind->points(row->params) : NULL;
-  if (cloud && cloud->file) {
-    if (!check_file(design, cloud->file, row->place, "surface.file", errors)) return;
-    const char *path = beside(design, cloud->file, errors->arena);
-    if (!lam_input_points(errors->arena, path, errors, &cloud->count, &cloud->points)) return;
-  }
-  if (make) lam_surface_make(errors->arena, row, errors);
+  const char *file = kind->reads_file ? ((const lam_surface_source *)row->params)->file : NULL;
+  if (kind->sides) file = kind->sides(row->params)->file;
+  if (kind->points) file = kind->points(row->params)->file;
+  if (!check_file(design, file, row->place, "surface.file", errors)) return;
+  if (make && read_surface(design, errors)) lam_surface_make(errors->arena, row, errors);
 }
 
 /* Without templates there is nothing to compare with. */
