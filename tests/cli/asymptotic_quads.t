@@ -38,7 +38,7 @@ check "and the same edges" within $skin skin gap max 0 1e-12
 check "all edges are asymptotic curves of the skin" within $skin skin edge_normal_curvature max 0 1e-9
 check "and run on through the vertices" within $skin skin edge_kink max 0 1e-9
 check "the skin is a saddle everywhere" within $skin skin gaussian_curvature max -1 -0.001
-check "it stays within 8 mm of the net, at the open middle" within $skin skin net_distance max 0 0.008
+check "it stays within 2 mm of the net" within $skin skin net_distance max 0 0.002
 check "it touches no lamella" within $skin clash clash_volume_sum max 0 0
 check "all patches are written" surfaces $skin 378
 echo "1..$count"
