@@ -18,7 +18,7 @@ typedef struct least_area_keys {
 } least_area_keys;
 
 typedef struct least_area {
-  const lam_nurbs *nurbs;
+  const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   lam_least_area_result result;
   double mean_curvature;
   const lam_paper_result *paper; /* NULL: by Newton's method */
@@ -170,14 +170,6 @@ static const void *prepare(lam_arena *arena, const void *params, lam_place place
   return data;
 }
 
-static void eval(const void *data, double u, double v, lam_jet *jet) {
-  lam_nurbs_eval(((const least_area *)data)->nurbs, u, v, jet);
-}
-static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
-  return lam_nurbs_domain(((const least_area *)data)->nurbs, chart, p, q, closed);
-}
-static const lam_spline_surface *spline(const void *data) { return &((const least_area *)data)->result.surface; }
-
 /* The areas of the paper's results. That on approximated borders may be below the least one. */
 static void report_paper(lam_arena *arena, const lam_paper_result *paper, lam_stage *stage) {
   const struct {
@@ -315,7 +307,7 @@ const lam_surface_kind lam_surface_least_area = {
              .params_size = sizeof(least_area_keys)},
     .sides = sides_of,
     .prepare = prepare,
-    .eval = eval,
-    .domain = domain,
-    .spline = spline,
+    .eval = lam_held_nurbs_eval,
+    .domain = lam_held_nurbs_domain,
+    .spline = lam_held_nurbs_spline,
     .report = report};

@@ -76,6 +76,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 }
 
 #ifdef LAM_FUZZ_DRIVER
+#include "tests/torture/fuzz.h"
+
 static const char obj[] =
     "# cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
     "f 1 3 4 2\nf 5/1 6/1 8/1 7/1\nf 1//1 2//1 6//1 5//1\nf -6 -2 -1 -5\nf 1/1/1 5 7 3\nf 2 4 8 6\n"
@@ -86,13 +88,6 @@ static const char stl[] =
     "facet normal -1 0 0 outer loop vertex 0 0 0 vertex 0 0 9 vertex 0 9 0 endloop endfacet\n"
     "facet normal 1 1 1 outer loop vertex 9 0 0 vertex 0 9 0 vertex 0 0 9 endloop endfacet\n"
     "endsolid t\n";
-
-static uint64_t next(uint64_t *state) { /* xorshift64* (S. Vigna) */
-  *state ^= *state >> 12;
-  *state ^= *state << 25;
-  *state ^= *state >> 27;
-  return *state * 0x2545f4914f6cdd1dULL;
-}
 
 /* A binary STL of the text's four triangles, with small whole coordinates. */
 static size_t binary_seed(uint8_t *bytes) {
@@ -106,32 +101,7 @@ static size_t binary_seed(uint8_t *bytes) {
   return 84 + 200;
 }
 
-/* Swaps, overwrites and repeats a few bytes; numbers change into other numbers most often. */
-static size_t mutate(uint64_t *state, uint8_t *bytes, size_t size, size_t capacity) {
-  static const char likely[] = "0123456789.-/e \nvf";
-  for (uint64_t n = 1 + next(state) % 6; n && size; n--) {
-    size_t at = next(state) % size, to = next(state) % size, length = next(state) % 24;
-    switch (next(state) % 5) {
-    case 0:
-      bytes[at] = (uint8_t)next(state);
-      break;
-    case 1:
-      bytes[at] = bytes[to];
-      break;
-    case 2:
-      size = next(state) % 8 ? size : at;
-      break;
-    case 3:
-      if (size + length > capacity || to + length > size) break;
-      memmove(bytes + to + length, bytes + to, size - to);
-      size += length;
-      break;
-    default:
-      bytes[at] = (uint8_t)likely[next(state) % (sizeof likely - 1)];
-    }
-  }
-  return size;
-}
+static const char likely[] = "0123456789.-/e \nvf";
 
 int main(int argc, char **argv) {
   long rounds = argc > 1 ? atol(argv[1]) : 20000;
@@ -150,7 +120,7 @@ int main(int argc, char **argv) {
     default:
       size = binary_seed(bytes);
     }
-    if (i >= 3) size = mutate(&state, bytes, size, sizeof bytes); /* the seeds themselves first */
+    if (i >= 3) size = fuzz_mutate(&state, likely, bytes, size, sizeof bytes); /* the seeds themselves first */
     LLVMFuzzerTestOneInput(bytes, size);
   }
   printf("%ld files\n", rounds);

@@ -140,14 +140,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 }
 
 #ifdef LAM_FUZZ_DRIVER
-enum { largest = 8192, seeds = 8 };
+#include "tests/torture/fuzz.h"
 
-static uint64_t next(uint64_t *state) { /* xorshift64* (S. Vigna) */
-  *state ^= *state >> 12;
-  *state ^= *state << 25;
-  *state ^= *state >> 27;
-  return *state * 0x2545f4914f6cdd1dULL;
-}
+enum { largest = 8192, seeds = 8 };
 
 /* What other programs write of edges: a line, a circle, a trimmed curve, a polyline; a face. */
 static const char edges[] =
@@ -208,36 +203,7 @@ static size_t seed(lam_arena *arena, int i, uint8_t *bytes) {
   return text.length;
 }
 
-/* Swaps, overwrites and repeats a few bytes; numbers change into other numbers most often. */
-static size_t mutate(uint64_t *state, uint8_t *bytes, size_t size) {
-  static const char likely[] = "00112345679.,-/E#()';$ \nHDPT";
-  for (uint64_t n = 1 + next(state) % 4; n && size; n--) {
-    size_t at = next(state) % size, to = next(state) % size, length = next(state) % 24;
-    switch (next(state) % 6) {
-    case 0:
-      bytes[at] = (uint8_t)next(state);
-      break;
-    case 1:
-      bytes[at] = bytes[to];
-      break;
-    case 2:
-      size = next(state) % 8 ? size : at;
-      break;
-    case 3:
-      if (size + length > largest || to + length > size) break;
-      memmove(bytes + to + length, bytes + to, size - to);
-      size += length;
-      break;
-    case 4: /* a digit */
-      while (at < size && (bytes[at] < '0' || bytes[at] > '9')) at++;
-      if (at < size) bytes[at] = (uint8_t)('0' + next(state) % 10);
-      break;
-    default:
-      bytes[at] = (uint8_t)likely[next(state) % (sizeof likely - 1)];
-    }
-  }
-  return size;
-}
+static const char likely[] = "00112345679.,-/E#()';$ \nHDPT";
 
 int main(int argc, char **argv) {
   long rounds = argc > 1 ? atol(argv[1]) : 10000;
@@ -258,7 +224,7 @@ int main(int argc, char **argv) {
   for (long i = 0; i < rounds; i++) {
     size_t size = sizes[i % seeds];
     memcpy(bytes, files[i % seeds], size);
-    if (i >= seeds) size = mutate(&state, bytes, size); /* the seeds themselves first */
+    if (i >= seeds) size = fuzz_mutate(&state, likely, bytes, size, largest); /* the seeds themselves first */
     LLVMFuzzerTestOneInput(bytes, size);
   }
   lam_arena_free(arena);
