@@ -33,8 +33,8 @@ packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad adme
 packages_pics  := $(packages_show) netpbm libjpeg-turbo-progs
 
 cli_src := $(wildcard gen/cli/*.c)
-lib_src := $(filter-out $(cli_src),$(wildcard gen/*/*.c) $(wildcard formats/*.c))
-shims   := $(wildcard gen/*/*_shim.cc) $(wildcard formats/*_shim.cc)
+lib_src := $(filter-out $(cli_src),$(wildcard gen/*/*.c gen/*/*/*.c formats/*.c formats/*/*.c))
+shims   := $(wildcard gen/*/*_shim.cc gen/*/*/*_shim.cc formats/*/*_shim.cc)
 # the shims hold CGAL, whose minutes under a sanitizer find nothing of ours: all configurations share them
 lib_obj := $(lib_src:%.c=$(out)/obj/%.o) $(shims:%.cc=build/obj/%.o)
 cli_obj := $(cli_src:%.c=$(out)/obj/%.o)

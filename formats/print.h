@@ -1,6 +1,6 @@
 /* What the writers of prints share. */
-#ifndef LAM_FORMATS_PRINT_H
-#define LAM_FORMATS_PRINT_H
+#ifndef LAM_FORMATS_MESH_PRINT_H
+#define LAM_FORMATS_MESH_PRINT_H
 
 #include "core/arena.h"
 #include "core/model.h"

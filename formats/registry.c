@@ -40,7 +40,9 @@ static bool has_ending(const char *list, const char *ending) {
   size_t length = strlen(ending);
   for (; list; list = strchr(list, ' ')) {
     list += *list == ' ';
-    if (length && strncasecmp(list, ending, length) == 0 && (list[length] == 0 || list[length] == ' ')) return true;
+    if (length && strncasecmp(list, ending, length) == 0 &&
+        (list[length] == 0 || list[length] == ' '))
+      return true;
   }
   return false;
 }

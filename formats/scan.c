@@ -7,10 +7,11 @@ enum { longest_number = 63, most_errors = 20, longest_shown = 40 };
 
 static void free_locale(void *handle) { freelocale((locale_t)handle); }
 
-lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors) {
-  lam_scan scan = {.at = bytes, .end = bytes + count, .place = place, .errors = errors};
-  scan.place.line = 1;
-  scan.place.column = 0;
+lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_location location,
+                        lam_errors *errors) {
+  lam_scan scan = {.at = bytes, .end = bytes + count, .location = location, .errors = errors};
+  scan.location.line = 1;
+  scan.location.column = 0;
   scan.errors_before = errors->count;
   scan.plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
   if (!scan.plain) lam_arena_exhausted(arena);
@@ -18,27 +19,32 @@ lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_p
   return scan;
 }
 
-static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+static bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 bool lam_scan_word(lam_scan *scan, lam_word *word) {
   while (scan->at < scan->end && is_blank(*scan->at)) scan->at++;
   if (scan->at == scan->end || *scan->at == '\n' || *scan->at == '#') return false;
   word->text = scan->at;
-  while (scan->at < scan->end && *scan->at != '\n' && *scan->at != '#' && !is_blank(*scan->at)) scan->at++;
+  while (scan->at < scan->end && *scan->at != '\n' && *scan->at != '#' && !is_blank(*scan->at))
+    scan->at++;
   word->length = (int)(scan->at - word->text);
   return true;
 }
 
 bool lam_scan_line(lam_scan *scan) {
-  const char *newline = scan->at < scan->end ? memchr(scan->at, '\n', (size_t)(scan->end - scan->at)) : NULL;
+  const char *newline =
+      scan->at < scan->end ? memchr(scan->at, '\n', (size_t)(scan->end - scan->at)) : NULL;
   scan->at = newline ? newline + 1 : scan->end;
   if (scan->at == scan->end) return false; /* what is missing is missing from the last line */
-  scan->place.line++;
+  scan->location.line++;
   return true;
 }
 
 bool lam_word_is(lam_word word, const char *text) {
-  return strlen(text) == (size_t)word.length && strncasecmp(word.text, text, (size_t)word.length) == 0;
+  return strlen(text) == (size_t)word.length &&
+         strncasecmp(word.text, text, (size_t)word.length) == 0;
 }
 
 bool lam_scan_number(lam_scan *scan, lam_word word, const char *what, double *number) {
@@ -52,7 +58,8 @@ bool lam_scan_number(lam_scan *scan, lam_word word, const char *what, double *nu
     }
   }
   int shown = word.length < longest_shown ? word.length : longest_shown;
-  lam_error_add(scan->errors, scan->place, NULL, "%s: \"%.*s\" is not a number", what, shown, word.text);
+  lam_error_add(scan->errors, scan->location, NULL, "%s: \"%.*s\" is not a number", what, shown,
+                word.text);
   return false;
 }
 
@@ -61,7 +68,8 @@ bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point) {
   for (int k = 0; k < 3; k++) {
     lam_word word;
     if (!lam_scan_word(scan, &word)) {
-      lam_error_add(scan->errors, scan->place, NULL, "%s: %d numbers given, 3 expected", what, k);
+      lam_error_add(scan->errors, scan->location, NULL, "%s: %d numbers given, 3 expected", what,
+                    k);
       return false;
     }
     if (!lam_scan_number(scan, word, what, &xyz[k])) return false;
@@ -70,5 +78,7 @@ bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point) {
   return true;
 }
 
-bool lam_scan_gave_up(const lam_scan *scan) { return scan->errors->count - scan->errors_before >= most_errors; }
+bool lam_scan_gave_up(const lam_scan *scan) {
+  return scan->errors->count - scan->errors_before >= most_errors;
+}
 bool lam_scan_failed(const lam_scan *scan) { return scan->errors->count > scan->errors_before; }

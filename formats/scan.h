@@ -1,6 +1,6 @@
 /* Words, lines and numbers of a text file that is being read. */
-#ifndef LAM_FORMATS_SCAN_H
-#define LAM_FORMATS_SCAN_H
+#ifndef LAM_FORMATS_MESH_SCAN_H
+#define LAM_FORMATS_MESH_SCAN_H
 
 #include "core/error.h"
 #include "core/vec3.h"
@@ -15,15 +15,17 @@ typedef struct lam_word {
 
 typedef struct lam_scan {
   const char *at, *end;
-  lam_place place; /* its line is the current one, from 1 */
+  lam_location location; /* its line is the current one, from 1 */
   lam_errors *errors;
   int errors_before; /* that were there when reading began */
   locale_t plain;    /* numbers with a decimal point; closed with the arena */
 } lam_scan;
 
 /* Starts reading bytes, which must stay. */
-lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_place place, lam_errors *errors);
-/* The next word of the current line; false at its end. A # starts a comment, which ends with the line. */
+lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_location location,
+                        lam_errors *errors);
+/* The next word of the current line; false at its end. A # starts a comment, which ends with the
+ * line. */
 bool lam_scan_word(lam_scan *scan, lam_word *word);
 /* Goes to the next line; false at the end of the text. */
 bool lam_scan_line(lam_scan *scan);

@@ -2,7 +2,10 @@
 
 void lam_xml_escaped(lam_text *out, const char *string) {
   for (; *string; string++) {
-    const char *entity = *string == '&' ? "&amp;" : *string == '<' ? "&lt;" : *string == '"' ? "&quot;" : NULL;
+    const char *entity = *string == '&'   ? "&amp;"
+                         : *string == '<' ? "&lt;"
+                         : *string == '"' ? "&quot;"
+                                          : NULL;
     if (entity)
       lam_text_add(out, entity);
     else if ((unsigned char)*string >= ' ')

@@ -8,16 +8,18 @@
 /* True when a place such as "--set net.grid" says the key already. */
 static bool names_key(const char *file, const char *key) {
   size_t length = strlen(file), ending = strlen(key);
-  return length > ending && file[length - ending - 1] == ' ' && strcmp(file + length - ending, key) == 0;
+  return length > ending && file[length - ending - 1] == ' ' &&
+         strcmp(file + length - ending, key) == 0;
 }
 
 int lam_complain(const lam_errors *errors) {
   for (const lam_error *error = errors->first; error; error = error->next) {
-    const char *file = error->place.file;
+    const char *file = error->location.file;
     if (file) fprintf(stderr, "%s:", file);
-    if (error->place.line > 0) fprintf(stderr, "%d:", error->place.line);
-    if (error->place.line > 0 && error->place.column > 0) fprintf(stderr, "%d:", error->place.column);
-    if (file || error->place.line > 0) fputc(' ', stderr);
+    if (error->location.line > 0) fprintf(stderr, "%d:", error->location.line);
+    if (error->location.line > 0 && error->location.column > 0)
+      fprintf(stderr, "%d:", error->location.column);
+    if (file || error->location.line > 0) fputc(' ', stderr);
     if (error->key && !(file && names_key(file, error->key))) fprintf(stderr, "%s: ", error->key);
     fprintf(stderr, "%s\n", error->text);
   }

@@ -18,19 +18,24 @@ typedef struct verb {
 
 static const verb verbs[] = {
     {"build", lam_verb_build, "DESIGN [-o DIR]      make everything that a design says"},
-    {"check", lam_verb_check, "DESIGN               find mistakes in a design and say what it would make"},
-    {"list", lam_verb_list, "[WHAT]                surfaces, nets, constraints, parts, formats, designs"},
+    {"check", lam_verb_check,
+     "DESIGN               find mistakes in a design and say what it would make"},
+    {"list", lam_verb_list,
+     "[WHAT]                surfaces, nets, constraints, parts, formats, designs"},
     {"show", lam_verb_show, "NAME                  the reference page of anything listed"},
     {"new", lam_verb_new, "DESIGN [-o FILE]       copy a shipped design to start from"},
     {"measure", lam_verb_measure, "MESH.obj [--as NET]  independent measures of a quad mesh"},
     {"diff", lam_verb_diff, "A B [--tolerance T]   compare two meshes or two pictures"},
-    {"inspect", lam_verb_inspect, "FILE.stl           closed? oriented? self-intersections, volume, inertia"},
+    {"inspect", lam_verb_inspect,
+     "FILE.stl           closed? oriented? self-intersections, volume, inertia"},
     {"bench", lam_verb_bench, "[--json] [FOLDER]    how fast the solver is on this machine"},
 };
 enum { verb_count = sizeof verbs / sizeof *verbs };
 
 static int help(FILE *out) {
-  fputs("lamella makes surfaces, discrete nets and the parts they are built from.\n\nusage: lamella VERB ...\n", out);
+  fputs("lamella makes surfaces, discrete nets and the parts they are built from.\n\nusage: "
+        "lamella VERB ...\n",
+        out);
   for (int i = 0; i < verb_count; i++) {
     const char *gap = strstr(verbs[i].doc, "  ");
     int width = gap ? (int)(gap - verbs[i].doc) : 0;
@@ -44,13 +49,15 @@ static int help(FILE *out) {
 }
 
 static int version(void) {
-  printf("lamella %s\nlinear algebra: CHOLMOD on OpenBLAS, %s kernels\n", LAM_VERSION, lam_blas_kernel());
+  printf("lamella %s\nlinear algebra: CHOLMOD on OpenBLAS, %s kernels\n", LAM_VERSION,
+         lam_blas_kernel());
   if (lam_blas_advice()) printf("note: %s\n", lam_blas_advice());
   return 0;
 }
 
-/* A BLAS that does not recognize the processor falls back to kernels of half the speed. The choice is made when the
- * library loads, so the program starts itself again with a better one; once, and never against the user's own setting.
+/* A BLAS that does not recognize the processor falls back to kernels of half the speed. The choice
+ * is made when the library loads, so the program starts itself again with a better one; once, and
+ * never against the user's own setting.
  */
 static void choose_blas(char **argv) {
   const char *better = lam_blas_better_kernel();
@@ -66,7 +73,8 @@ int main(int argc, char **argv) {
     help(stderr);
     return 2;
   }
-  if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) return help(stdout);
+  if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0)
+    return help(stdout);
   if (strcmp(argv[1], "--version") == 0) return version();
   for (int i = 0; i < verb_count; i++)
     if (strcmp(argv[1], verbs[i].name) == 0) return verbs[i].run(argc - 1, argv + 1);
@@ -74,6 +82,6 @@ int main(int argc, char **argv) {
   for (int i = 0; i < verb_count; i++) names[i] = verbs[i].name;
   names[verb_count] = NULL;
   const char *near = lam_did_you_mean(argv[1], names);
-  return lam_complain_plain(2, "%s is not a verb%s%s%s; see lamella --help", argv[1], near ? " (did you mean " : "",
-                            near ? near : "", near ? "?)" : "");
+  return lam_complain_plain(2, "%s is not a verb%s%s%s; see lamella --help", argv[1],
+                            near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
 }

@@ -1,7 +1,7 @@
 #include "cli/mesh_input.h"
 
 #include "core/file.h"
-#include "core/mesh.h"
+#include "core/solid/triangles.h"
 #include "formats/format.h"
 #include <getopt.h>
 #include <stdarg.h>
@@ -12,9 +12,9 @@ enum { largest_file = 1 << 30 };
 void lam_verb_errors(const char *verb, const lam_errors *errors) {
   for (const lam_error *e = errors->first; e; e = e->next) {
     fprintf(stderr, "lamella %s: ", verb);
-    if (e->place.file) fprintf(stderr, "%s:", e->place.file);
-    if (e->place.line) fprintf(stderr, "%d:", e->place.line);
-    fprintf(stderr, "%s%s\n", e->place.file || e->place.line ? " " : "", e->text);
+    if (e->location.file) fprintf(stderr, "%s:", e->location.file);
+    if (e->location.line) fprintf(stderr, "%d:", e->location.line);
+    fprintf(stderr, "%s%s\n", e->location.file || e->location.line ? " " : "", e->text);
   }
 }
 
@@ -30,31 +30,32 @@ int lam_verb_error(const char *verb, const char *format, ...) {
 
 int lam_verb_option_error(char **argv, int result) {
   const char *what = result == ':' ? "needs a value" : "is not a known option, or takes no value";
-  if (optopt > 0 && optopt < 256) return lam_verb_error(argv[0], "-%c %s (see --help)", optopt, what);
+  if (optopt > 0 && optopt < 256)
+    return lam_verb_error(argv[0], "-%c %s (see --help)", optopt, what);
   return lam_verb_error(argv[0], "%s %s (see --help)", argv[optind - 1], what);
 }
 
-bool lam_mesh_input(lam_arena *arena, const char *path, bool self_intersections, lam_errors *errors, lam_trimesh *mesh,
-                    lam_solid_facts *facts) {
-  lam_place place = {.file = path};
+bool lam_mesh_input(lam_arena *arena, const char *path, bool self_intersections, lam_errors *errors,
+                    lam_trimesh *mesh, lam_solid_facts *facts) {
+  lam_location location = {.file = path};
   const lam_format *format = lam_format_for(path);
   if (!format || !format->read_triangles) {
-    lam_error_add(errors, place, NULL, "is not a mesh file (.stl or .obj expected)");
+    lam_error_add(errors, location, NULL, "is not a mesh file (.stl or .obj expected)");
     return false;
   }
   char *bytes;
   size_t count;
   if (lam_file_read(arena, path, largest_file, errors, &bytes, &count) != LAM_OK) return false;
   lam_trimesh loose;
-  if (!format->read_triangles(arena, bytes, count, place, errors, &loose)) return false;
+  if (!format->read_triangles(arena, bytes, count, location, errors, &loose)) return false;
   *mesh = lam_trimesh_weld(arena, &loose, 0);
   if (!mesh->triangle_count) {
-    lam_error_add(errors, place, NULL, "has no triangles with three different corners");
+    lam_error_add(errors, location, NULL, "has no triangles with three different corners");
     return false;
   }
   lam_status status = lam_solid_measure(mesh, self_intersections, facts);
   if (status == LAM_NO_MEMORY) lam_arena_exhausted(arena);
-  if (status != LAM_OK) lam_error_add(errors, place, NULL, "the mesh cannot be measured");
+  if (status != LAM_OK) lam_error_add(errors, location, NULL, "the mesh cannot be measured");
   return status == LAM_OK;
 }
 
@@ -62,9 +63,10 @@ static json_t *point(lam_vec3 p) { return json_pack("[f,f,f]", p.x, p.y, p.z); }
 
 json_t *lam_facts_json(const lam_solid_facts *f) {
   json_t *object =
-      json_pack("{s:i,s:i,s:b,s:b,s:b,s:i,s:i,s:i,s:i}", "vertices", f->vertices, "triangles", f->triangles, "closed",
-                f->closed, "oriented", f->oriented, "manifold", f->manifold, "boundary_edges", f->boundary_edges,
-                "nonmanifold_edges", f->nonmanifold_edges, "components", f->components, "euler", f->euler);
+      json_pack("{s:i,s:i,s:b,s:b,s:b,s:i,s:i,s:i,s:i}", "vertices", f->vertices, "triangles",
+                f->triangles, "closed", f->closed, "oriented", f->oriented, "manifold", f->manifold,
+                "boundary_edges", f->boundary_edges, "nonmanifold_edges", f->nonmanifold_edges,
+                "components", f->components, "euler", f->euler);
   json_object_set_new(object, "genus", f->genus < 0 ? json_null() : json_integer(f->genus));
   if (f->self_intersections >= 0)
     json_object_set_new(object, "self_intersections", json_integer(f->self_intersections));

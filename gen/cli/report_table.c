@@ -19,7 +19,8 @@ void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
       continue;
     }
     print_min(m, out);
-    fprintf(out, "mean %-11.5g max %-11.5g count %ld%s%s\n", m->mean, m->max, m->count, *m->unit ? "  " : "", m->unit);
+    fprintf(out, "mean %-11.5g max %-11.5g count %ld%s%s\n", m->mean, m->max, m->count,
+            *m->unit ? "  " : "", m->unit);
   }
 }
 
@@ -28,8 +29,9 @@ void lam_report_print(const lam_report *report, FILE *out) {
     const lam_stage *stage = &report->stages[i];
     fprintf(out, "%s", stage->name);
     if (stage->iterations >= 0)
-      fprintf(out, ": %s%s, %d iterations, residual %.1e", stage->converged ? "" : "NOT CONVERGED: ", stage->reason,
-              stage->iterations, stage->residual);
+      fprintf(out, ": %s%s, %d iterations, residual %.1e",
+              stage->converged ? "" : "NOT CONVERGED: ", stage->reason, stage->iterations,
+              stage->residual);
     else if (!stage->converged)
       fprintf(out, ": FAILED: %s", stage->reason);
     if (stage->seconds > 0) fprintf(out, " (%.2f s)", stage->seconds);

@@ -28,7 +28,8 @@ static void tell(void *context, const char *stage, double fraction, const char *
   t->stage = stage;
   t->told = time;
   char bar[bar_width + 1];
-  for (int i = 0; i < bar_width; i++) bar[i] = fraction >= 0 && i < fraction * bar_width ? '#' : '.';
+  for (int i = 0; i < bar_width; i++)
+    bar[i] = fraction >= 0 && i < fraction * bar_width ? '#' : '.';
   bar[bar_width] = 0;
   fprintf(stderr, "\r\033[K%-16s [%s] %s", stage, bar, detail ? detail : "");
 }

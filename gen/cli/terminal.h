@@ -1,4 +1,5 @@
-/* Progress for a person at a terminal: one line on stderr that is written over. Silent otherwise. */
+/* Progress for a person at a terminal: one line on stderr that is written over. Silent otherwise.
+ */
 #ifndef LAM_CLI_TERMINAL_H
 #define LAM_CLI_TERMINAL_H
 

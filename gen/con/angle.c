@@ -1,10 +1,12 @@
 #include "con/circle.h"
 #include "con/constraint.h"
 #include "con/kernel.h"
+#include "core/numbers.h"
 #include <math.h>
 
-/* Angle of the two tangents of a regular star (thesis 3.1, isogonal net; its eq. 3.1 as printed is another condition).
- *   T1 = unit(e1 - e3),  T2 = unit(e2 - e4),  r = T1 . T2 - cos(angle),  p[0] = cos(angle) */
+/* Angle of the two tangents of a regular star (thesis 3.1, isogonal net; its eq. 3.1 as printed is
+ * another condition). T1 = unit(e1 - e3),  T2 = unit(e2 - e4),  r = T1 . T2 - cos(angle),  p[0] =
+ * cos(angle) */
 static void tangent_angle(int n, const double *x, const double *p, double *r, double *J) {
   (void)n;
   lam_vec3 e[4];
@@ -37,7 +39,8 @@ static void circle_angle(int n, const double *x, const double *p, double *r, dou
   lam_star_row(J, 4, dE);
 }
 
-static void add_angle(lam_scope *scope, const char *name, double cosine, bool border, int tangents, double weight) {
+static void add_angle(lam_scope *scope, const char *name, double cosine, bool border, int tangents,
+                      double weight) {
   lam_block block = {.name = name, .rows = 1, .weight = weight, .arity = 5, .param_count = 1};
   block.kernel = tangents == LAM_TANGENTS_CIRCLE ? circle_angle : tangent_angle;
   block.count = lam_scope_stars(scope, border, &block.nodes);
@@ -46,14 +49,15 @@ static void add_angle(lam_scope *scope, const char *name, double cosine, bool bo
   lam_problem_add(scope->problem, block);
 }
 
-static void add_given(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+static void add_given(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
   const lam_angle_params *given = params;
   add_angle(scope, "angle", cos(given->angle), given->border, given->tangents, weight);
 }
 
-static void add_orthogonal(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+static void add_orthogonal(lam_scope *scope, const void *params, double weight,
+                           lam_location location) {
+  (void)location;
   static const lam_star_params plain = {false, LAM_TANGENTS_BISECTOR};
   const lam_star_params *given = params ? params : &plain;
   add_angle(scope, "orthogonal", 0, given->border, given->tangents, weight);
@@ -61,47 +65,50 @@ static void add_orthogonal(lam_scope *scope, const void *params, double weight, 
 
 static const char *const tangent_choices[] = {"bisector", "circle", NULL};
 
-#define BORDER(of)                                                                                                     \
-  {                                                                                                                    \
-    .name = "border", .type = LAM_KEY_FLAG, .offset = offsetof(of, border), .count = 1, .initial = "no",               \
-    .doc = "Reentrant corners of the border, which have four edges, take part."                                        \
+#define BORDER(of)                                                                                 \
+  {                                                                                                \
+    .name = "border", .type = LAM_KEY_FLAG, .offset = offsetof(of, border), .count = 1,            \
+    .initial = "no", .doc = "Reentrant corners of the border, which have four edges, take part."   \
   }
-#define TANGENTS(of)                                                                                                   \
-  {                                                                                                                    \
-    .name = "tangents", .type = LAM_KEY_CHOICE, .offset = offsetof(of, tangents), .count = 1, .initial = "bisector",   \
-    .choices = tangent_choices,                                                                                        \
-    .doc =                                                                                                             \
-        "Tangent of a polyline at a vertex. bisector: halfway between its two edges; circle: of the circle through "   \
-        "the vertex and its two neighbors, which unequal edges do not turn."                                           \
+#define TANGENTS(of)                                                                               \
+  {                                                                                                \
+    .name = "tangents", .type = LAM_KEY_CHOICE, .offset = offsetof(of, tangents), .count = 1,      \
+    .initial = "bisector", .choices = tangent_choices,                                             \
+    .doc = "Tangent of a polyline at a vertex. bisector: halfway between its two edges; circle: "  \
+           "of the circle through "                                                                \
+           "the vertex and its two neighbors, which unequal edges do not turn."                    \
   }
 
-static const lam_key angle_keys[] = {{.name = "angle",
-                                      .type = LAM_KEY_NUMBER,
-                                      .unit = LAM_UNIT_ANGLE,
-                                      .offset = offsetof(lam_angle_params, angle),
-                                      .count = 1,
-                                      .initial = "60 deg",
-                                      .min = 5 * (3.14159265358979323846 / 180),
-                                      .max = 175 * (3.14159265358979323846 / 180),
-                                      .doc = "Angle between the two families at every regular vertex."},
-                                     BORDER(lam_angle_params),
-                                     TANGENTS(lam_angle_params),
-                                     {0}};
+static const lam_key angle_keys[] = {
+    {.name = "angle",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_ANGLE,
+     .offset = offsetof(lam_angle_params, angle),
+     .count = 1,
+     .initial = "60 deg",
+     .min = 5 * (LAM_PI / 180),
+     .max = 175 * (LAM_PI / 180),
+     .doc = "Angle between the two families at every regular vertex."},
+    BORDER(lam_angle_params),
+    TANGENTS(lam_angle_params),
+    {0}};
 
 static const lam_key orthogonal_keys[] = {BORDER(lam_star_params), TANGENTS(lam_star_params), {0}};
 
 const lam_constraint_kind lam_con_angle = {
     {"angle", "Constant angle",
-     "The two families of polylines cross at the same angle everywhere, so that all nodes are alike. On an asymptotic "
+     "The two families of polylines cross at the same angle everywhere, so that all nodes are "
+     "alike. On an asymptotic "
      "net this fixes the ratio of the principal curvatures: tan^2(angle / 2) = -k1 / k2.",
-     "T1.T2 = cos(angle), T1 = unit(e1 - e3), T2 = unit(e2 - e4)", "thesis 3.1, def. 5 and 3.2.3, def. 10", angle_keys,
-     sizeof(lam_angle_params)},
+     "T1.T2 = cos(angle), T1 = unit(e1 - e3), T2 = unit(e2 - e4)",
+     "thesis 3.1, def. 5 and 3.2.3, def. 10", angle_keys, sizeof(lam_angle_params)},
     add_given};
 
 const lam_constraint_kind lam_con_orthogonal = {
     {"orthogonal", "Right angles",
-     "The two families of polylines cross at 90 degrees everywhere. On an asymptotic net the surface is then a minimal "
+     "The two families of polylines cross at 90 degrees everywhere. On an asymptotic net the "
+     "surface is then a minimal "
      "surface, on a net of equal spherical stars a surface of constant mean curvature.",
-     "T1.T2 = 0, T1 = unit(e1 - e3), T2 = unit(e2 - e4)", "thesis 3.1, corrected, and 3.2.3, def. 10", orthogonal_keys,
-     sizeof(lam_star_params)},
+     "T1.T2 = 0, T1 = unit(e1 - e3), T2 = unit(e2 - e4)",
+     "thesis 3.1, corrected, and 3.2.3, def. 10", orthogonal_keys, sizeof(lam_star_params)},
     add_orthogonal};

@@ -8,8 +8,8 @@ static void at_place(int n, const double *x, const double *p, double *r, double 
   for (int c = 0; c < 3; c++) J[c * n + c] = 1;
 }
 
-void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double weight, int count, const int *vertices,
-                       const lam_vec3 *targets) {
+void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double weight, int count,
+                       const int *vertices, const lam_vec3 *targets) {
   double *params = LAM_NEW(scope->problem->arena, double, 3 * count);
   for (int i = 0; i < count; i++) {
     params[3 * i] = targets[i].x;
@@ -29,8 +29,9 @@ void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double
                                               .params = params});
 }
 
-static void add_closeness(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)params, (void)place;
+static void add_closeness(lam_scope *scope, const void *params, double weight,
+                          lam_location location) {
+  (void)params, (void)location;
   lam_arena *arena = scope->problem->arena;
   int n = scope->net->mesh.vertex_count, *vertices = LAM_NEW(arena, int, n);
   lam_vec3 *targets = LAM_NEW(arena, lam_vec3, n);
@@ -39,17 +40,18 @@ static void add_closeness(lam_scope *scope, const void *params, double weight, l
   lam_closeness_add(scope, "closeness", LAM_FAIRNESS, weight, n, vertices, targets);
 }
 
-static void add_handle(lam_scope *scope, const void *params, double weight, lam_place place) {
+static void add_handle(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_handle_params *handle = params;
   int given = handle->vertex.count ? *(const int *)handle->vertex.items : -1;
   if (given < 0 || given >= scope->net->mesh.vertex_count) {
-    lam_error_add(scope->errors, place, "vertex", "vertex %d, but the net has vertices 0 to %d", given,
-                  scope->net->mesh.vertex_count - 1);
+    lam_error_add(scope->errors, location, "vertex", "vertex %d, but the net has vertices 0 to %d",
+                  given, scope->net->mesh.vertex_count - 1);
     return;
   }
   int *vertex = LAM_NEW(scope->problem->arena, int, 1);
   *vertex = given;
-  lam_vec3 target = lam_v3(handle->to[0] / scope->unit, handle->to[1] / scope->unit, handle->to[2] / scope->unit);
+  lam_vec3 target =
+      lam_v3(handle->to[0] / scope->unit, handle->to[1] / scope->unit, handle->to[2] / scope->unit);
   lam_closeness_add(scope, "handle", LAM_HARD, weight, 1, vertex, &target);
 }
 
@@ -67,16 +69,18 @@ static const lam_key handle_keys[] = {{.name = "vertex",
                                        .doc = "Where the vertex has to be."},
                                       {0}};
 
-const lam_constraint_kind lam_con_closeness = {{"closeness", "Closeness to the start",
-                                                "Holds every vertex near its place at the start. Its weight fades with "
-                                                "the fairness: it guides the first steps and is gone in "
-                                                "the result.",
-                                                "v - v_start -> small", "thesis 3.7", NULL, 0},
-                                               add_closeness};
+const lam_constraint_kind lam_con_closeness = {
+    {"closeness", "Closeness to the start",
+     "Holds every vertex near its place at the start. Its weight fades with "
+     "the fairness: it guides the first steps and is gone in "
+     "the result.",
+     "v - v_start -> small", "thesis 3.7", NULL, 0},
+    add_closeness};
 
-const lam_constraint_kind lam_con_handle = {{"handle", "Handle",
-                                             "A vertex that has to be at a given place. Handles at the corners of an "
-                                             "open grid belong to no vertex star: take vertices one row "
-                                             "further in.",
-                                             "v = target", "thesis 3.7", handle_keys, sizeof(lam_handle_params)},
-                                            add_handle};
+const lam_constraint_kind lam_con_handle = {
+    {"handle", "Handle",
+     "A vertex that has to be at a given place. Handles at the corners of an "
+     "open grid belong to no vertex star: take vertices one row "
+     "further in.",
+     "v = target", "thesis 3.7", handle_keys, sizeof(lam_handle_params)},
+    add_handle};

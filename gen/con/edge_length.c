@@ -1,8 +1,8 @@
 #include "con/constraint.h"
 #include "con/kernel.h"
 
-/* Length of an edge: r = (|v1 - v0|^2 / L^2 - 1) / 2  (dimensionless; the half makes it a relative error);  p[0] = 1 /
- * L^2 */
+/* Length of an edge: r = (|v1 - v0|^2 / L^2 - 1) / 2  (dimensionless; the half makes it a relative
+ * error);  p[0] = 1 / L^2 */
 static void edge_length(int n, const double *x, const double *p, double *r, double *J) {
   (void)n;
   lam_vec3 E = lam_sub(lam_local(x, 1), lam_local(x, 0));
@@ -41,30 +41,33 @@ void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, doub
                                               .params = lengths});
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
-  lam_edge_length_add(scope, "edge-length", LAM_HARD, weight, *(const lam_edge_length_params *)params);
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
+  lam_edge_length_add(scope, "edge-length", LAM_HARD, weight,
+                      *(const lam_edge_length_params *)params);
 }
 
-static const lam_key keys[] = {{.name = "length",
-                                .type = LAM_KEY_NUMBER,
-                                .unit = LAM_UNIT_LENGTH,
-                                .offset = offsetof(lam_edge_length_params, length),
-                                .count = 1,
-                                .initial = "0",
-                                .max = 1e6,
-                                .doc = "Length of every edge; 0 keeps each at its length at the start."},
-                               {.name = "boundary",
-                                .type = LAM_KEY_FLAG,
-                                .offset = offsetof(lam_edge_length_params, boundary_only),
-                                .count = 1,
-                                .initial = "no",
-                                .doc = "Only edges of the boundary."},
-                               {0}};
+static const lam_key keys[] = {
+    {.name = "length",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     .offset = offsetof(lam_edge_length_params, length),
+     .count = 1,
+     .initial = "0",
+     .max = 1e6,
+     .doc = "Length of every edge; 0 keeps each at its length at the start."},
+    {.name = "boundary",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(lam_edge_length_params, boundary_only),
+     .count = 1,
+     .initial = "no",
+     .doc = "Only edges of the boundary."},
+    {0}};
 
-const lam_constraint_kind lam_con_edge_length = {{"edge-length", "Edge lengths",
-                                                  "Edges of a given length, or each of its length at the start. With "
-                                                  "one length for all, the net is a Chebyshev net.",
-                                                  "(|v1 - v0|^2 / L^2 - 1) / 2 = 0", "thesis 3.1, definition 3", keys,
-                                                  sizeof(lam_edge_length_params)},
-                                                 add};
+const lam_constraint_kind lam_con_edge_length = {
+    {"edge-length", "Edge lengths",
+     "Edges of a given length, or each of its length at the start. With "
+     "one length for all, the net is a Chebyshev net.",
+     "(|v1 - v0|^2 / L^2 - 1) / 2 = 0", "thesis 3.1, definition 3", keys,
+     sizeof(lam_edge_length_params)},
+    add};

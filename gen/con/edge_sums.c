@@ -22,7 +22,8 @@ lam_edge_list lam_edge_list_new(lam_arena *arena, int edges_each, int capacity) 
 }
 
 void lam_edge_list_push(lam_edge_list *list, const int *vertices) {
-  memcpy(list->nodes + 2 * list->edges_each * list->count++, vertices, sizeof(int) * 2 * (size_t)list->edges_each);
+  memcpy(list->nodes + 2 * list->edges_each * list->count++, vertices,
+         sizeof(int) * 2 * (size_t)list->edges_each);
 }
 
 void lam_edge_sum_add(lam_scope *scope, const char *name, double weight, const lam_edge_list *list,

@@ -4,7 +4,8 @@
 
 #include "con/constraint.h"
 
-/* r = sum p[k] |b_k - a_k| (in mean edges); nodes a_0, b_0, a_1, b_1, ... A vertex may be listed twice. */
+/* r = sum p[k] |b_k - a_k| (in mean edges); nodes a_0, b_0, a_1, b_1, ... A vertex may be listed
+ * twice. */
 void lam_edge_sum(int n, const double *x, const double *p, double *r, double *J);
 
 /* A growing list of elements with edges_each edges. */
@@ -20,7 +21,8 @@ void lam_edge_list_push(lam_edge_list *list, const int *vertices);
 /* The block sum coefficients[k] |edge k| = 0 of all elements. */
 void lam_edge_sum_add(lam_scope *scope, const char *name, double weight, const lam_edge_list *list,
                       const double *coefficients);
-/* The edge of face f opposite to edge e of it, as vertices a, b in the direction of edge e. False: e is no side of f.
+/* The edge of face f opposite to edge e of it, as vertices a, b in the direction of edge e. False:
+ * e is no side of f.
  */
 bool lam_opposite_edge(const lam_net *net, int f, const lam_edge *e, int opposite[2]);
 

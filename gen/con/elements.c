@@ -1,15 +1,18 @@
 #include "con/constraint.h"
 
-static int valence_of(const lam_net *net, int v) { return net->ring_start[v + 1] - net->ring_start[v]; }
+static int valence_of(const lam_net *net, int v) {
+  return net->ring_start[v + 1] - net->ring_start[v];
+}
 
-/* The family of the edge from v to its first neighbor. An edge lies on one polyline; edges are found through the faces'
- * order. */
+/* The family of the edge from v to its first neighbor. An edge lies on one polyline; edges are
+ * found through the faces' order. */
 static int *first_families(lam_arena *arena, const lam_net *net) {
   int *family = LAM_NEW(arena, int, net->mesh.vertex_count);
   for (int e = 0; e < net->edge_count; e++)
     for (int k = 0; k < 2; k++) {
       int v = net->edges[e].vertex[k];
-      if (net->ring[net->ring_start[v]] == net->edges[e].vertex[1 - k]) family[v] = net->edges[e].family;
+      if (net->ring[net->ring_start[v]] == net->edges[e].vertex[1 - k])
+        family[v] = net->edges[e].family;
     }
   return family;
 }
@@ -26,7 +29,8 @@ int lam_scope_stars(lam_scope *scope, bool border, const int **nodes) {
   for (int v = 0; border && v < net->mesh.vertex_count; v++) {
     if (!net->boundary[v] || valence_of(net, v) != 4) continue;
     list[5 * count] = v;
-    for (int k = 0; k < 4; k++) list[5 * count + 1 + k] = net->ring[net->ring_start[v] + ((k + 3 * family[v]) & 3)];
+    for (int k = 0; k < 4; k++)
+      list[5 * count + 1 + k] = net->ring[net->ring_start[v] + ((k + 3 * family[v]) & 3)];
     count++;
   }
   scope->skipped += net->irregular_count;
@@ -47,11 +51,11 @@ int lam_scope_half_stars(lam_scope *scope, const int **nodes) {
   return count;
 }
 
-const lam_key lam_star_keys[] = {
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(lam_star_params, border),
-     .count = 1,
-     .initial = "no",
-     .doc = "Vertices of the border take part: half stars, and reentrant corners, which have four edges."},
-    {0}};
+const lam_key lam_star_keys[] = {{.name = "border",
+                                  .type = LAM_KEY_FLAG,
+                                  .offset = offsetof(lam_star_params, border),
+                                  .count = 1,
+                                  .initial = "no",
+                                  .doc = "Vertices of the border take part: half stars, and "
+                                         "reentrant corners, which have four edges."},
+                                 {0}};

@@ -1,7 +1,7 @@
 #include "con/star_cosines.h"
 
-/* Discrete orthogonal geodesic net (Rabinovich, Hoffmann & Sorkine-Hornung 2018; thesis 3.4.1): four equal angles.
- *   <e1,e2> = <e2,e3> = <e3,e4> = <e4,e1>   (3 rows) */
+/* Discrete orthogonal geodesic net (Rabinovich, Hoffmann & Sorkine-Hornung 2018; thesis 3.4.1):
+ * four equal angles. <e1,e2> = <e2,e3> = <e3,e4> = <e4,e1>   (3 rows) */
 static void equal_angles(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   static const lam_cosines rows[] = {{{1, -1, 0, 0}}, {{0, 1, -1, 0}}, {{0, 0, 1, -1}}};
@@ -9,8 +9,8 @@ static void equal_angles(int n, const double *x, const double *p, double *r, dou
 }
 
 /* On the border the inner edge leaves at equal angles to both sides. */
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
   const lam_star_params *given = params;
   bool border = given && given->border;
   lam_star_block_add(scope, "equal-angles", equal_angles, 3, border, weight);
@@ -19,7 +19,9 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_equal_angles = {
     {"equal-angles", "Four equal angles",
-     "At every vertex the four angles are equal: both families are geodesics and cross at right angles, which is only "
+     "At every vertex the four angles are equal: both families are geodesics and cross at right "
+     "angles, which is only "
      "possible on a developable surface.",
-     "<e1,e2> = <e2,e3> = <e3,e4> = <e4,e1>", "thesis 3.4.1", lam_star_keys, sizeof(lam_star_params)},
+     "<e1,e2> = <e2,e3> = <e3,e4> = <e4,e1>", "thesis 3.4.1", lam_star_keys,
+     sizeof(lam_star_params)},
     add};

@@ -13,20 +13,23 @@ static int middle_line(const lam_net *net, int family) {
   }
   int wanted = count / 2;
   for (int l = 0; l < net->polyline_count; l++)
-    if (net->polylines[l].family == family && net->polylines[l].count == most && wanted-- == 0) return l;
+    if (net->polylines[l].family == family && net->polylines[l].count == most && wanted-- == 0)
+      return l;
   return -1;
 }
 
-/* Equal edges along a polyline (discrete arc length, thesis 3.3.3): r = |v_(k+1) - v_k| - |v_(k+2) - v_(k+1)|. */
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+/* Equal edges along a polyline (discrete arc length, thesis 3.3.3): r = |v_(k+1) - v_k| - |v_(k+2)
+ * - v_(k+1)|. */
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
   const lam_equal_edges_params *given = params;
   const lam_net *net = scope->net;
   lam_edge_list list = lam_edge_list_new(scope->problem->arena, 2, net->edge_count);
   int middle = given->lines == LAM_LINES_MIDDLE ? middle_line(net, given->family) : -1;
   for (int l = 0; l < net->polyline_count; l++) {
     const lam_polyline *line = &net->polylines[l];
-    if (line->family != given->family || (given->lines == LAM_LINES_MIDDLE && l != middle)) continue;
+    if (line->family != given->family || (given->lines == LAM_LINES_MIDDLE && l != middle))
+      continue;
     int n = line->count, pairs = n < 3 ? 0 : line->closed ? n - 1 : n - 2;
     for (int k = 0; k < pairs; k++) {
       const int *v = line->vertices;
@@ -37,25 +40,27 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   lam_edge_sum_add(scope, "equal-edges", weight, &list, difference);
 }
 
-static const lam_key keys[] = {{.name = "family",
-                                .type = LAM_KEY_INTEGER,
-                                .offset = offsetof(lam_equal_edges_params, family),
-                                .count = 1,
-                                .initial = "0",
-                                .min = 0,
-                                .max = 1,
-                                .doc = "Family of the lines: 0, along u, or 1, along v."},
-                               {.name = "lines",
-                                .type = LAM_KEY_CHOICE,
-                                .offset = offsetof(lam_equal_edges_params, lines),
-                                .count = 1,
-                                .initial = "all",
-                                .choices = choices,
-                                .doc = "all lines of the family, or only the middle one of its longest lines."},
-                               {0}};
+static const lam_key keys[] = {
+    {.name = "family",
+     .type = LAM_KEY_INTEGER,
+     .offset = offsetof(lam_equal_edges_params, family),
+     .count = 1,
+     .initial = "0",
+     .min = 0,
+     .max = 1,
+     .doc = "Family of the lines: 0, along u, or 1, along v."},
+    {.name = "lines",
+     .type = LAM_KEY_CHOICE,
+     .offset = offsetof(lam_equal_edges_params, lines),
+     .count = 1,
+     .initial = "all",
+     .choices = choices,
+     .doc = "all lines of the family, or only the middle one of its longest lines."},
+    {0}};
 
 const lam_constraint_kind lam_con_equal_edges = {
     {"equal-edges", "Equal edges along lines",
-     "The edges of a line are of one length, which the solver finds: vertices stand at equal distances along it.",
+     "The edges of a line are of one length, which the solver finds: vertices stand at equal "
+     "distances along it.",
      "|v(k+1) - v(k)| = |v(k+2) - v(k+1)|", "thesis 3.3.3", keys, sizeof(lam_equal_edges_params)},
     add};

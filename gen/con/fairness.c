@@ -1,7 +1,8 @@
 #include "con/constraint.h"
 
-/* Second difference along a polyline: r = (v_(k-1) - 2 v_k + v_(k+1)) - p (3 rows, length). Linear. p = 0 makes the net
- * itself fair; p = the second difference at the start makes its displacement fair, which keeps the waves of the start.
+/* Second difference along a polyline: r = (v_(k-1) - 2 v_k + v_(k+1)) - p (3 rows, length). Linear.
+ * p = 0 makes the net itself fair; p = the second difference at the start makes its displacement
+ * fair, which keeps the waves of the start.
  */
 static void second_difference(int n, const double *x, const double *p, double *r, double *J) {
   for (int c = 0; c < 3; c++) r[c] = x[c] - 2 * x[3 + c] + x[6 + c] - p[c];
@@ -26,8 +27,8 @@ static int triples(const lam_net *net, int *nodes) {
   return count;
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
   const lam_fairness_params *given = params;
   int count = triples(scope->net, NULL), *nodes = LAM_NEW(scope->problem->arena, int, 3 * count);
   double *targets = LAM_NEW(scope->problem->arena, double, 3 * count);
@@ -35,7 +36,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   const double *x = scope->problem->x;
   for (int i = 0; given && given->of == LAM_FAIR_DISPLACEMENT && i < count; i++)
     for (int c = 0; c < 3; c++)
-      targets[3 * i + c] = x[3 * nodes[3 * i] + c] - 2 * x[3 * nodes[3 * i + 1] + c] + x[3 * nodes[3 * i + 2] + c];
+      targets[3 * i + c] =
+          x[3 * nodes[3 * i] + c] - 2 * x[3 * nodes[3 * i + 1] + c] + x[3 * nodes[3 * i + 2] + c];
   lam_problem_add(scope->problem, (lam_block){.name = "fairness",
                                               .kernel = second_difference,
                                               .rows = 3,
@@ -51,20 +53,21 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const char *const lam_fairness_choices[] = {"positions", "displacements", NULL};
 
-static const lam_key keys[] = {
-    {.name = "of",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_fairness_params, of),
-     .count = 1,
-     .initial = "positions",
-     .choices = lam_fairness_choices,
-     .doc = "positions: the net itself becomes smooth; displacements: its change against the start does, "
-            "so that waves of the start survive."},
-    {0}};
+static const lam_key keys[] = {{.name = "of",
+                                .type = LAM_KEY_CHOICE,
+                                .offset = offsetof(lam_fairness_params, of),
+                                .count = 1,
+                                .initial = "positions",
+                                .choices = lam_fairness_choices,
+                                .doc = "positions: the net itself becomes smooth; displacements: "
+                                       "its change against the start does, "
+                                       "so that waves of the start survive."},
+                               {0}};
 
 const lam_constraint_kind lam_con_fairness = {
     {"fairness", "Fair polylines",
-     "Keeps polylines smooth while the net finds its shape; its weight fades out, so that it does not bend the result. "
+     "Keeps polylines smooth while the net finds its shape; its weight fades out, so that it does "
+     "not bend the result. "
      "Strong "
      "fairness without closeness, handles or fixed vertices pulls every net towards a plane.",
      "v(k-1) - 2 v(k) + v(k+1) -> small", "thesis 3.7", keys, sizeof(lam_fairness_params)},

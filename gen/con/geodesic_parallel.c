@@ -1,9 +1,9 @@
 #include "con/star_cosines.h"
 
-/* Geodesic parallel coordinates (thesis 3.3.2, theorem 7, condition 2). With the geodesics in family 0:
- *   <e1, e2 - e4> = <e1,e2> - <e4,e1> = 0,   <e3, e2 - e4> = <e2,e3> - <e3,e4> = 0
- * Both edges of the geodesic see the crossing line under equal angles to the left and to the right, so the line is a
- * geodesic and the families cross at right angles. */
+/* Geodesic parallel coordinates (thesis 3.3.2, theorem 7, condition 2). With the geodesics in
+ * family 0: <e1, e2 - e4> = <e1,e2> - <e4,e1> = 0,   <e3, e2 - e4> = <e2,e3> - <e3,e4> = 0 Both
+ * edges of the geodesic see the crossing line under equal angles to the left and to the right, so
+ * the line is a geodesic and the families cross at right angles. */
 static void along_u(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   static const lam_cosines rows[] = {{{1, 0, 0, -1}}, {{0, 1, -1, 0}}};
@@ -17,11 +17,13 @@ static void along_v(int n, const double *x, const double *p, double *r, double *
   lam_star_cosines(2, rows, n, x, r, J);
 }
 
-/* On the border where the geodesics end the same holds for their last edge. Without it the crossing lines zigzag. */
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+/* On the border where the geodesics end the same holds for their last edge. Without it the crossing
+ * lines zigzag. */
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
   const lam_geodesic_params *given = params;
-  lam_star_block_add(scope, "geodesic-parallel", given->family ? along_v : along_u, 2, given->border, weight);
+  lam_star_block_add(scope, "geodesic-parallel", given->family ? along_v : along_u, 2,
+                     given->border, weight);
   if (given->border) lam_border_angles_add(scope, "geodesic-parallel", given->family, weight);
 }
 
@@ -39,13 +41,16 @@ static const lam_key keys[] = {
      .offset = offsetof(lam_geodesic_params, border),
      .count = 1,
      .initial = "yes",
-     .doc = "Where geodesics end at the border they meet it at right angles too; without it the lines across zigzag."},
+     .doc = "Where geodesics end at the border they meet it at right angles too; without it the "
+            "lines across zigzag."},
     {0}};
 
 const lam_constraint_kind lam_con_geodesic_parallel = {
     {"geodesic-parallel", "Geodesic parallel coordinates",
-     "The lines of one family are geodesics and the other family crosses them at right angles, as meridians and "
-     "parallels do on a surface of revolution. Strips between two lines across have the same width all along.",
-     "<e1, e2 - e4> = <e3, e2 - e4> = 0; at the ends <e, e2 - e4> = 0", "thesis 3.3.2, def. 16 and theorem 7", keys,
-     sizeof(lam_geodesic_params)},
+     "The lines of one family are geodesics and the other family crosses them at right angles, as "
+     "meridians and "
+     "parallels do on a surface of revolution. Strips between two lines across have the same width "
+     "all along.",
+     "<e1, e2 - e4> = <e3, e2 - e4> = 0; at the ends <e, e2 - e4> = 0",
+     "thesis 3.3.2, def. 16 and theorem 7", keys, sizeof(lam_geodesic_params)},
     add};

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-/* A vertex on a straight line through P along the unit direction d: with unit vectors a, b orthogonal to d and to each
- * other, r = (a.(v - P), b.(v - P))   (2 rows, length);  p = P, a, b */
+/* A vertex on a straight line through P along the unit direction d: with unit vectors a, b
+ * orthogonal to d and to each other, r = (a.(v - P), b.(v - P))   (2 rows, length);  p = P, a, b */
 static void on_line(int n, const double *x, const double *p, double *r, double *J) {
   for (int i = 0; i < 2; i++) {
     const double *a = p + 3 + 3 * i;
@@ -27,8 +27,8 @@ static void set_line(double *p, lam_vec3 point, lam_vec3 direction) {
   }
 }
 
-void lam_glide_add(lam_scope *scope, double weight, int count, const int *vertices, const lam_vec3 *points,
-                   const lam_vec3 *directions) {
+void lam_glide_add(lam_scope *scope, double weight, int count, const int *vertices,
+                   const lam_vec3 *points, const lam_vec3 *directions) {
   double *params = LAM_NEW(scope->problem->arena, double, 9 * count);
   for (int i = 0; i < count; i++) set_line(params + 9 * i, points[i], directions[i]);
   lam_problem_add(scope->problem, (lam_block){.name = "glide",
@@ -43,8 +43,9 @@ void lam_glide_add(lam_scope *scope, double weight, int count, const int *vertic
                                               .params = params});
 }
 
-/* The boundary curve at the start, followed by a vertex: a polyline with its foot point and tangent found anew every
- * iteration. Only the segments near the last foot are searched, so a step costs the same for any boundary length. */
+/* The boundary curve at the start, followed by a vertex: a polyline with its foot point and tangent
+ * found anew every iteration. Only the segments near the last foot are searched, so a step costs
+ * the same for any boundary length. */
 typedef struct track {
   int count; /* points; the curve is closed when the loop has no corner */
   bool closed;
@@ -63,7 +64,8 @@ static double foot_on_segment(const track *t, int s, lam_vec3 v, lam_vec3 *foot)
   return lam_distance(*foot, v);
 }
 
-/* The tangent at a foot: between the directions of the segment and its neighbor, so that it turns continuously. */
+/* The tangent at a foot: between the directions of the segment and its neighbor, so that it turns
+ * continuously. */
 static lam_vec3 tangent_at(const track *t, int s, lam_vec3 foot) {
   int last = t->closed ? t->count : t->count - 1;
   lam_vec3 a = t->points[s], b = t->points[(s + 1) % t->count];
@@ -99,10 +101,10 @@ static void follow(struct lam_block *block, const double *x, const int *offset, 
   }
 }
 
-/* A boundary loop is cut at its corners (boundary vertices of valence 2): corners stay, the vertices between them
- * glide. */
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)params, (void)place;
+/* A boundary loop is cut at its corners (boundary vertices of valence 2): corners stay, the
+ * vertices between them glide. */
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)params, (void)location;
   const lam_net *net = scope->net;
   lam_arena *arena = scope->problem->arena;
   lam_vec3 *positions = LAM_NEW(arena, lam_vec3, net->mesh.vertex_count);
@@ -110,7 +112,9 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   for (int l = 0; l < net->loop_count; l++) {
     const lam_polyline *loop = &net->loops[l];
     int n = loop->count, corner = 0;
-    while (corner < n && net->ring_start[loop->vertices[corner] + 1] - net->ring_start[loop->vertices[corner]] != 2)
+    while (corner < n &&
+           net->ring_start[loop->vertices[corner] + 1] - net->ring_start[loop->vertices[corner]] !=
+               2)
       corner++;
     bool closed = corner == n;
     int start = closed ? 0 : corner;
@@ -124,7 +128,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
       t->closed = closed;
       t->count = closed ? n : to - from + 1;
       lam_vec3 *points = LAM_NEW(arena, lam_vec3, t->count);
-      for (int i = 0; i < t->count; i++) points[i] = positions[loop->vertices[(start + from + i) % n]];
+      for (int i = 0; i < t->count; i++)
+        points[i] = positions[loop->vertices[(start + from + i) % n]];
       t->points = points;
       int first = closed ? 0 : 1, count = closed ? n : to - from - 1;
       if (!closed) scope->problem->fixed[loop->vertices[(start + from) % n]] = true;
@@ -132,7 +137,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
       glider *gliders = LAM_NEW(arena, glider, count);
       for (int i = 0; i < count; i++) {
         vertices[i] = loop->vertices[(start + from + first + i) % n];
-        gliders[i] = (glider){t, first + i < (closed ? n : t->count - 1) ? first + i : first + i - 1};
+        gliders[i] =
+            (glider){t, first + i < (closed ? n : t->count - 1) ? first + i : first + i - 1};
       }
       lam_problem_add(scope->problem, (lam_block){.name = "glide",
                                                   .kernel = on_line,
@@ -153,8 +159,10 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_glide = {
     {"glide", "Gliding on the boundary",
-     "Boundary vertices stay on the boundary curve of the start and may slide along it; corners stay where they are. "
+     "Boundary vertices stay on the boundary curve of the start and may slide along it; corners "
+     "stay where they are. "
      "Straight "
      "edges stay straight.",
-     "a.(v - P) = b.(v - P) = 0, foot point P and normals a, b found anew every iteration", "thesis 3.7", NULL, 0},
+     "a.(v - P) = b.(v - P) = 0, foot point P and normals a, b found anew every iteration",
+     "thesis 3.7", NULL, 0},
     add};

@@ -1,9 +1,10 @@
 #include "con/constraint.h"
 #include "con/kernel.h"
 
-/* Products of opposite edges of a face are equal (thesis 3.5.3, definition 25: with a circumcircle the cross-ratio of
- * the corners is then -1): r = ln|E0| - ln|E1| + ln|E2| - ln|E3|             (dimensionless),  dr/dE_k = +-E_k /
- * |E_k|^2 The logarithm weighs small and large faces alike and keeps edges from vanishing. */
+/* Products of opposite edges of a face are equal (thesis 3.5.3, definition 25: with a circumcircle
+ * the cross-ratio of the corners is then -1): r = ln|E0| - ln|E1| + ln|E2| - ln|E3|
+ * (dimensionless),  dr/dE_k = +-E_k / |E_k|^2 The logarithm weighs small and large faces alike and
+ * keeps edges from vanishing. */
 static void isothermic(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   r[0] = 0;
@@ -18,8 +19,8 @@ static void isothermic(int n, const double *x, const double *p, double *r, doubl
   }
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)params, (void)place;
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)params, (void)location;
   lam_problem_add(scope->problem, (lam_block){.name = "isothermic",
                                               .kernel = isothermic,
                                               .rows = 1,
@@ -31,7 +32,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_isothermic = {
     {"isothermic", "Equal products of opposite edges",
-     "The products of opposite edges of every face are equal. On a circular net the cross-ratio of every face is then "
+     "The products of opposite edges of every face are equal. On a circular net the cross-ratio of "
+     "every face is then "
      "-1, and faces are as square as they can be: the net discretizes isothermic curvature lines.",
      "|e1||e3| = |e2||e4| around every face", "thesis 3.5.3, definition 25", NULL, 0},
     add};

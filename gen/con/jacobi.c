@@ -1,10 +1,10 @@
 #include "con/edge_sums.h"
 
-/* Jacobi's equation w'' + K w = 0 for the width w of a strip between two geodesics, with K = 0 (thesis 3.3.3, eq. 3.5):
- *   r = |w_(k-1)| - 2 |w_k| + |w_(k+1)|,  w_k the edges across the strip
- * The geodesics have to be divided evenly (equal-edges). */
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+/* Jacobi's equation w'' + K w = 0 for the width w of a strip between two geodesics, with K = 0
+ * (thesis 3.3.3, eq. 3.5): r = |w_(k-1)| - 2 |w_k| + |w_(k+1)|,  w_k the edges across the strip The
+ * geodesics have to be divided evenly (equal-edges). */
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
   const lam_family_params *given = params;
   const lam_net *net = scope->net;
   lam_edge_list list = lam_edge_list_new(scope->problem->arena, 3, net->edge_count);
@@ -14,25 +14,30 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
     if (edge->family == given->family || edge->face[1] < 0) continue;
     lam_opposite_edge(net, edge->face[0], edge, before);
     lam_opposite_edge(net, edge->face[1], edge, after);
-    lam_edge_list_push(&list, (int[6]){before[0], before[1], edge->vertex[0], edge->vertex[1], after[0], after[1]});
+    lam_edge_list_push(&list, (int[6]){before[0], before[1], edge->vertex[0], edge->vertex[1],
+                                       after[0], after[1]});
   }
   static const double second_difference[3] = {1, -2, 1};
   lam_edge_sum_add(scope, "jacobi", weight, &list, second_difference);
 }
 
-static const lam_key keys[] = {{.name = "geodesics",
-                                .type = LAM_KEY_INTEGER,
-                                .offset = offsetof(lam_family_params, family),
-                                .count = 1,
-                                .initial = "0",
-                                .min = 0,
-                                .max = 1,
-                                .doc = "Family whose lines bound the strips: 0, along u, or 1, along v."},
-                               {0}};
+static const lam_key keys[] = {
+    {.name = "geodesics",
+     .type = LAM_KEY_INTEGER,
+     .offset = offsetof(lam_family_params, family),
+     .count = 1,
+     .initial = "0",
+     .min = 0,
+     .max = 1,
+     .doc = "Family whose lines bound the strips: 0, along u, or 1, along v."},
+    {0}};
 
 const lam_constraint_kind lam_con_jacobi = {
     {"jacobi", "Straight width of strips",
-     "The width of every strip between two geodesics changes linearly along it, so that the Gaussian curvature is 0: "
-     "together with geodesic-parallel and evenly divided geodesics the surface is nearly developable.",
-     "|w(k-1)| - 2 |w(k)| + |w(k+1)| = 0", "thesis 3.3.3, eq. 3.4 and 3.5", keys, sizeof(lam_family_params)},
+     "The width of every strip between two geodesics changes linearly along it, so that the "
+     "Gaussian curvature is 0: "
+     "together with geodesic-parallel and evenly divided geodesics the surface is nearly "
+     "developable.",
+     "|w(k-1)| - 2 |w(k)| + |w(k+1)| = 0", "thesis 3.3.3, eq. 3.4 and 3.5", keys,
+     sizeof(lam_family_params)},
     add};

@@ -2,12 +2,14 @@
 #include "con/kernel.h"
 
 /* Planar quad: the distance of the two diagonals relative to their mean length.
- *   d1 = v2 - v0,  d2 = v3 - v1,  N = unit(d1 x d2),  D = N . (v1 - v0),  m = (|d1| + |d2|) / 2,  r = D / m
- * dD/dd1 = d2 x g, dD/dd2 = g x d1 with g = (E - N D) / |d1 x d2|, E = v1 - v0, and dD/dE = N. */
+ *   d1 = v2 - v0,  d2 = v3 - v1,  N = unit(d1 x d2),  D = N . (v1 - v0),  m = (|d1| + |d2|) / 2,  r
+ * = D / m dD/dd1 = d2 x g, dD/dd2 = g x d1 with g = (E - N D) / |d1 x d2|, E = v1 - v0, and dD/dE =
+ * N. */
 static void planar_face(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   lam_vec3 v0 = lam_local(x, 0), v1 = lam_local(x, 1);
-  lam_vec3 d1 = lam_sub(lam_local(x, 2), v0), d2 = lam_sub(lam_local(x, 3), v1), E = lam_sub(v1, v0);
+  lam_vec3 d1 = lam_sub(lam_local(x, 2), v0), d2 = lam_sub(lam_local(x, 3), v1),
+           E = lam_sub(v1, v0);
   lam_vec3 M = lam_cross(d1, d2);
   double size = lam_length(M), l1 = lam_length(d1), l2 = lam_length(d2), m = (l1 + l2) / 2;
   lam_vec3 N = lam_scale(M, 1 / size);
@@ -26,8 +28,8 @@ static void planar_face(int n, const double *x, const double *p, double *r, doub
   lam_add_to(J, 3, r2);
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)params, (void)place;
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)params, (void)location;
   lam_problem_add(scope->problem, (lam_block){.name = "planar-face",
                                               .kernel = planar_face,
                                               .rows = 1,
@@ -39,8 +41,10 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_planar_face = {
     {"planar-face", "Planar faces",
-     "Every quad is flat, so that it can be cut from sheet or glass. A net of planar quads discretizes a conjugate "
+     "Every quad is flat, so that it can be cut from sheet or glass. A net of planar quads "
+     "discretizes a conjugate "
      "net; start "
      "from one (principal lines, for instance), or the quads collapse to slivers on the way.",
-     "N.(v1 - v0) / ((|v2 - v0| + |v3 - v1|) / 2) = 0, N = unit((v2 - v0) x (v3 - v1))", "thesis 3.1", NULL, 0},
+     "N.(v1 - v0) / ((|v2 - v0| + |v3 - v1|) / 2) = 0, N = unit((v2 - v0) x (v3 - v1))",
+     "thesis 3.1", NULL, 0},
     add};

@@ -4,8 +4,9 @@
 /* Planar vertex star (asymptotic net, thesis 3.3).
  *   N = unit((e1 - e3) x (e2 - e4)),  e_k = (v_k - v) / |v_k - v|
  *   r1 = N . e1,  r2 = N . e2                         (dimensionless)
- * N is orthogonal to e1 - e3 and e2 - e4, so N.e3 = r1 and N.e4 = r2: two equations make all five vertices coplanar.
- * With M = (e1 - e3) x (e2 - e4) and g = (c - N (N.c)) / |M|:  dr/da = b x g, dr/db = g x a, dr/dc = N for r = N.c. */
+ * N is orthogonal to e1 - e3 and e2 - e4, so N.e3 = r1 and N.e4 = r2: two equations make all five
+ * vertices coplanar. With M = (e1 - e3) x (e2 - e4) and g = (c - N (N.c)) / |M|:  dr/da = b x g,
+ * dr/db = g x a, dr/dc = N for r = N.c. */
 static void planar_star(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   lam_vec3 e[4];
@@ -26,7 +27,8 @@ static void planar_star(int n, const double *x, const double *p, double *r, doub
   }
 }
 
-/* A star of any valence m: with S = sum e_k x e_(k+1) and N = S / |S|, r_k = N . e_k. Nodes: center, then the ring. */
+/* A star of any valence m: with S = sum e_k x e_(k+1) and N = S / |S|, r_k = N . e_k. Nodes:
+ * center, then the ring. */
 enum { most_valence = 12 };
 
 static void planar_fan(int n, const double *x, const double *p, double *r, double *J) {
@@ -43,14 +45,16 @@ static void planar_fan(int n, const double *x, const double *p, double *r, doubl
     if (!J) continue;
     double *row = J + i * n;
     lam_vec3 g = lam_scale(lam_along(e[i], -r[i], N), 1 / size);
-    lam_vec3 de[most_valence]; /* S contains e_(k-1) x e_k + e_k x e_(k+1): dS.g = de_k . ((e_(k+1) - e_(k-1)) x g) */
+    lam_vec3 de[most_valence]; /* S contains e_(k-1) x e_k + e_k x e_(k+1): dS.g = de_k . ((e_(k+1)
+                                  - e_(k-1)) x g) */
     for (int k = 0; k < m; k++) de[k] = lam_cross(lam_sub(e[(k + 1) % m], e[(k + m - 1) % m]), g);
     de[i] = lam_add(de[i], N);
     lam_edges_row(row, m, e, length, de);
   }
 }
 
-/* Border vertex with its two border edges e1, e3 and its inner edge e2: r = N . e1, N = unit((e1 - e3) x e2). */
+/* Border vertex with its two border edges e1, e3 and its inner edge e2: r = N . e1, N = unit((e1 -
+ * e3) x e2). */
 static void planar_half_star(int n, const double *x, const double *p, double *r, double *J) {
   (void)n, (void)p;
   lam_vec3 e[3];
@@ -89,7 +93,8 @@ static void add_fans(lam_scope *scope, double weight) {
         if (net->boundary[v] || net->ring_start[v + 1] - net->ring_start[v] != valence) continue;
         if (nodes) {
           nodes[count * (valence + 1)] = v;
-          for (int k = 0; k < valence; k++) nodes[count * (valence + 1) + 1 + k] = net->ring[net->ring_start[v] + k];
+          for (int k = 0; k < valence; k++)
+            nodes[count * (valence + 1) + 1 + k] = net->ring[net->ring_start[v] + k];
         }
         count++;
       }
@@ -104,16 +109,16 @@ static void add_fans(lam_scope *scope, double weight) {
   }
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
-  (void)place;
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
+  (void)location;
   const lam_star_params *given = params;
   const int *nodes;
   long skipped = scope->skipped;
   int count = lam_scope_stars(scope, given && given->border, &nodes);
   scope->skipped = skipped; /* irregular stars are handled below, but for the largest */
   for (int v = 0; v < scope->net->mesh.vertex_count; v++)
-    scope->skipped +=
-        !scope->net->boundary[v] && scope->net->ring_start[v + 1] - scope->net->ring_start[v] > most_valence;
+    scope->skipped += !scope->net->boundary[v] &&
+                      scope->net->ring_start[v + 1] - scope->net->ring_start[v] > most_valence;
   lam_problem_add(scope->problem, (lam_block){.name = "planar-star",
                                               .kernel = planar_star,
                                               .rows = 2,
@@ -127,9 +132,12 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_planar_star = {
     {"planar-star", "Planar vertex stars",
-     "Every interior vertex lies in one plane with its neighbors: the polylines then follow asymptotic curves, and "
+     "Every interior vertex lies in one plane with its neighbors: the polylines then follow "
+     "asymptotic curves, and "
      "strips "
-     "normal to the net unroll straight. Possible only where the surface is saddle-shaped (K < 0); on a dome the only "
+     "normal to the net unroll straight. Possible only where the surface is saddle-shaped (K < 0); "
+     "on a dome the only "
      "solution is a plane. Vertices of any valence take part.",
-     "N.e1 = N.e2 = 0, N = unit((e1 - e3) x (e2 - e4))", "thesis 3.3", lam_star_keys, sizeof(lam_star_params)},
+     "N.e1 = N.e2 = 0, N = unit((e1 - e3) x (e2 - e4))", "thesis 3.3", lam_star_keys,
+     sizeof(lam_star_params)},
     add};

@@ -1,8 +1,9 @@
 #include "con/constraint.h"
 #include "con/kernel.h"
 
-/* Nearness to a reference surface: the distance to the tangent plane at the closest point (thesis 3.7; closest points
- * on triangles, found anew every iteration).  r = n.(v - P);  p = P, n */
+/* Nearness to a reference surface: the distance to the tangent plane at the closest point
+ * (thesis 3.7; closest points on triangles, found anew every iteration).  r = n.(v - P);  p = P, n
+ */
 static void to_plane(int n, const double *x, const double *p, double *r, double *J) {
   (void)n;
   r[0] = p[3] * (x[0] - p[0]) + p[4] * (x[1] - p[1]) + p[5] * (x[2] - p[2]);
@@ -23,10 +24,11 @@ static void project(struct lam_block *block, const double *x, const int *offset,
     lam_tree_closest(surface->tree, v, &foot, &triangle);
     const int *t = surface->mesh->triangles[triangle];
     lam_vec3 a = surface->mesh->vertices[t[0]];
-    lam_vec3 normal =
-        lam_unit(lam_cross(lam_sub(surface->mesh->vertices[t[1]], a), lam_sub(surface->mesh->vertices[t[2]], a)));
+    lam_vec3 normal = lam_unit(lam_cross(lam_sub(surface->mesh->vertices[t[1]], a),
+                                         lam_sub(surface->mesh->vertices[t[2]], a)));
     lam_vec3 away = lam_sub(v, foot);
-    /* off the triangle's plane, the direction to the foot is the better normal: it serves edges and borders too */
+    /* off the triangle's plane, the direction to the foot is the better normal: it serves edges and
+     * borders too */
     if (lam_length(away) > 1e-9) normal = lam_unit(away);
     double *p = block->params + 6 * i;
     p[0] = foot.x, p[1] = foot.y, p[2] = foot.z;
@@ -34,10 +36,11 @@ static void project(struct lam_block *block, const double *x, const int *offset,
   }
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   (void)params;
   if (!scope->reference) {
-    lam_error_add(scope->errors, place, "proximity", "no reference is given; expected net.reference: {file: ...}");
+    lam_error_add(scope->errors, location, "proximity",
+                  "no reference is given; expected net.reference: {file: ...}");
     return;
   }
   lam_arena *arena = scope->problem->arena;
@@ -59,10 +62,10 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
                                               .context = context});
 }
 
-const lam_constraint_kind lam_con_proximity = {{"proximity", "Nearness to a reference",
-                                                "Pulls the net onto a reference mesh while it may slide along it. "
-                                                "Closest points are found on triangles, anew in every "
-                                                "iteration. Pin something: fairness slides a free net tangentially.",
-                                                "n.(v - P) -> small, P the closest point and n its normal",
-                                                "thesis 3.7", NULL, 0},
-                                               add};
+const lam_constraint_kind lam_con_proximity = {
+    {"proximity", "Nearness to a reference",
+     "Pulls the net onto a reference mesh while it may slide along it. "
+     "Closest points are found on triangles, anew in every "
+     "iteration. Pin something: fairness slides a free net tangentially.",
+     "n.(v - P) -> small, P the closest point and n its normal", "thesis 3.7", NULL, 0},
+    add};

@@ -1,10 +1,10 @@
 #include "con/constraint.h"
 #include "con/kernel.h"
-#include "net/tangential.h"
+#include "mesh/tangential.h"
 
-/* S-isothermic net (thesis 3.5.3, definition 26): spheres at the vertices that touch along the edges, and in every face
- * an incircle through the points where they touch. Beside the vertices v the unknowns are a radius rho per vertex, and
- * a center c and a radius R per face. */
+/* S-isothermic net (thesis 3.5.3, definition 26): spheres at the vertices that touch along the
+ * edges, and in every face an incircle through the points where they touch. Beside the vertices v
+ * the unknowns are a radius rho per vertex, and a center c and a radius R per face. */
 
 /* Spheres of neighbors touch: r = |v1 - v0| - rho0 - rho1 (length). Nodes: v0, v1, rho0, rho1. */
 static void touching(int n, const double *x, const double *p, double *r, double *J) {
@@ -20,8 +20,8 @@ static void touching(int n, const double *x, const double *p, double *r, double 
   J[6] = J[7] = -1;
 }
 
-/* The circle of a face is orthogonal to the spheres at its corners: r_k = (|v_k - c|^2 - rho_k^2 - R^2) / 2 (length
- * squared). Nodes: v0 .. v3, rho0 .. rho3, (c, R). */
+/* The circle of a face is orthogonal to the spheres at its corners: r_k = (|v_k - c|^2 - rho_k^2 -
+ * R^2) / 2 (length squared). Nodes: v0 .. v3, rho0 .. rho3, (c, R). */
 static void orthogonal_spheres(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   const double *rho = x + 12, R = x[19];
@@ -38,19 +38,22 @@ static void orthogonal_spheres(int n, const double *x, const double *p, double *
   }
 }
 
-/* The center lies in the plane of the face: r = N . (c - v0), N = unit(d1 x d2) with the diagonals d1 = v2 - v0, d2 =
- * v3
- * - v1. dr/dd1 = d2 x g, dr/dd2 = g x d1 with g = (F - N (N.F)) / |d1 x d2|, F = c - v0. Nodes: v0 .. v3, (c, R). */
+/* The center lies in the plane of the face: r = N . (c - v0), N = unit(d1 x d2) with the diagonals
+ * d1 = v2 - v0, d2 = v3
+ * - v1. dr/dd1 = d2 x g, dr/dd2 = g x d1 with g = (F - N (N.F)) / |d1 x d2|, F = c - v0. Nodes: v0
+ * .. v3, (c, R). */
 static void center_in_plane(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   lam_vec3 v0 = lam_local(x, 0), F = lam_sub(lam_local(x, 4), v0);
-  lam_vec3 d1 = lam_sub(lam_local(x, 2), v0), d2 = lam_sub(lam_local(x, 3), lam_local(x, 1)), M = lam_cross(d1, d2);
+  lam_vec3 d1 = lam_sub(lam_local(x, 2), v0), d2 = lam_sub(lam_local(x, 3), lam_local(x, 1)),
+           M = lam_cross(d1, d2);
   double size = lam_length(M);
   lam_vec3 N = lam_scale(M, 1 / size);
   r[0] = lam_dot(N, F);
   if (!J) return;
   for (int c = 0; c < n; c++) J[c] = 0;
-  lam_vec3 g = lam_scale(lam_along(F, -r[0], N), 1 / size), r1 = lam_cross(d2, g), r2 = lam_cross(g, d1);
+  lam_vec3 g = lam_scale(lam_along(F, -r[0], N), 1 / size), r1 = lam_cross(d2, g),
+           r2 = lam_cross(g, d1);
   lam_add_to(J, 0, lam_scale(lam_add(r1, N), -1));
   lam_add_to(J, 1, lam_scale(r2, -1));
   lam_add_to(J, 2, r1);
@@ -67,10 +70,12 @@ static extra add_nodes(lam_scope *scope) {
   const lam_mesh *mesh = &scope->net->mesh;
   lam_vec3 *positions = LAM_NEW(problem->arena, lam_vec3, mesh->vertex_count);
   double *radii = LAM_NEW(problem->arena, double, mesh->vertex_count);
-  extra nodes = {LAM_NEW(problem->arena, int, mesh->vertex_count), LAM_NEW(problem->arena, int, mesh->face_count)};
+  extra nodes = {LAM_NEW(problem->arena, int, mesh->vertex_count),
+                 LAM_NEW(problem->arena, int, mesh->face_count)};
   lam_problem_positions(problem, positions);
   lam_net_sphere_radii(scope->net, positions, radii);
-  for (int v = 0; v < mesh->vertex_count; v++) nodes.radius[v] = lam_problem_node(problem, 1, &radii[v]);
+  for (int v = 0; v < mesh->vertex_count; v++)
+    nodes.radius[v] = lam_problem_node(problem, 1, &radii[v]);
   for (int f = 0; f < mesh->face_count; f++) {
     lam_vec3 corners[4];
     for (int k = 0; k < 4; k++) corners[k] = positions[mesh->faces[f][k]];
@@ -81,7 +86,7 @@ static extra add_nodes(lam_scope *scope) {
   return nodes;
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_net *net = scope->net;
   lam_arena *arena = scope->problem->arena;
   extra more = add_nodes(scope);
@@ -99,11 +104,13 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
     }
     face_nodes[9 * f + 8] = plane_nodes[5 * f + 4] = more.circle[f];
   }
-  lam_con_planar_face.add(scope, params, weight, place);
+  lam_con_planar_face.add(scope, params, weight, location);
   lam_block block = {.name = "s-isothermic", .weight = weight};
-  block.kernel = touching, block.rows = 1, block.count = net->edge_count, block.arity = 4, block.nodes = edge_nodes;
+  block.kernel = touching, block.rows = 1, block.count = net->edge_count, block.arity = 4,
+  block.nodes = edge_nodes;
   lam_problem_add(scope->problem, block);
-  block.kernel = orthogonal_spheres, block.rows = 4, block.count = faces, block.arity = 9, block.nodes = face_nodes;
+  block.kernel = orthogonal_spheres, block.rows = 4, block.count = faces, block.arity = 9,
+  block.nodes = face_nodes;
   lam_problem_add(scope->problem, block);
   block.kernel = center_in_plane, block.rows = 1, block.arity = 5, block.nodes = plane_nodes;
   lam_problem_add(scope->problem, block);
@@ -111,8 +118,11 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 const lam_constraint_kind lam_con_s_isothermic = {
     {"s-isothermic", "Touching incircles and spheres",
-     "Every face is flat and has an incircle; incircles of neighbors touch their common edge in the same point, where "
-     "the spheres around its two vertices touch each other. Radii of the spheres, centers and radii of the circles are "
+     "Every face is flat and has an incircle; incircles of neighbors touch their common edge in "
+     "the same point, where "
+     "the spheres around its two vertices touch each other. Radii of the spheres, centers and "
+     "radii of the circles are "
      "further unknowns.",
-     "|v_i - v_j| = rho_i + rho_j; |v - c|^2 = rho^2 + R^2; N.(c - v) = 0", "thesis 3.5.3, definition 26", NULL, 0},
+     "|v_i - v_j| = rho_i + rho_j; |v - c|^2 = rho^2 + R^2; N.(c - v) = 0",
+     "thesis 3.5.3, definition 26", NULL, 0},
     add};

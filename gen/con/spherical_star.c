@@ -1,20 +1,20 @@
 #include "con/circle.h"
 #include "con/constraint.h"
 
-/* Spherical vertex star (S-net, thesis 3.2.3, def. 8 and 10). E_k = v_k - v, circle tangents a of (E1, E3), b of (E2,
- * E4), N = unit(a x b): the only sphere (or plane) that touches both circles at v has the normal N there. It passes
- * through v_k when its curvature is
- *   kappa_k = 2 N.E_k / |E_k|^2                       (1/length; positive: the center lies on the side of N)
- * N.a = 0 gives kappa_1 = kappa_3, N.b = 0 gives kappa_2 = kappa_4, so two curvatures describe the star:
- *   own      r  = kappa_1 - kappa_2                   every star its own sphere
- *   given    r  = kappa_1 - k, kappa_2 - k            k = p[0]; k = 0: the planar star of an asymptotic net
- *   common   r  = kappa_1 - k, kappa_2 - k            k = x[15], one unknown for all
- * Jacobian of kappa_i = N.c, c = 2 E_i / |E_i|^2: with M = a x b and g = (c - N (N.c)) / |M|, by a: b x g, by b: g x a,
- * and by the E_i in c: (2 N - 2 kappa_i E_i) / |E_i|^2. */
+/* Spherical vertex star (S-net, thesis 3.2.3, def. 8 and 10). E_k = v_k - v, circle tangents a of
+ * (E1, E3), b of (E2, E4), N = unit(a x b): the only sphere (or plane) that touches both circles at
+ * v has the normal N there. It passes through v_k when its curvature is kappa_k = 2 N.E_k / |E_k|^2
+ * (1/length; positive: the center lies on the side of N) N.a = 0 gives kappa_1 = kappa_3, N.b = 0
+ * gives kappa_2 = kappa_4, so two curvatures describe the star: own      r  = kappa_1 - kappa_2
+ * every star its own sphere given    r  = kappa_1 - k, kappa_2 - k            k = p[0]; k = 0: the
+ * planar star of an asymptotic net common   r  = kappa_1 - k, kappa_2 - k            k = x[15], one
+ * unknown for all Jacobian of kappa_i = N.c, c = 2 E_i / |E_i|^2: with M = a x b and g = (c - N
+ * (N.c)) / |M|, by a: b x g, by b: g x a, and by the E_i in c: (2 N - 2 kappa_i E_i) / |E_i|^2. */
 static void curvatures(const double *x, double kappa[2], lam_vec3 dE[2][4]) {
   lam_vec3 v = lam_local(x, 0), E[4];
   for (int k = 0; k < 4; k++) E[k] = lam_sub(lam_local(x, k + 1), v);
-  lam_vec3 a = lam_circle_tangent(E[0], E[2]), b = lam_circle_tangent(E[1], E[3]), M = lam_cross(a, b);
+  lam_vec3 a = lam_circle_tangent(E[0], E[2]), b = lam_circle_tangent(E[1], E[3]),
+           M = lam_cross(a, b);
   double size = lam_length(M);
   lam_vec3 N = lam_scale(M, 1 / size);
   for (int i = 0; i < 2; i++) {
@@ -86,22 +86,23 @@ static const int *with_common_node(lam_scope *scope, const int *stars, int count
   return nodes;
 }
 
-static bool radius_fits(const lam_scope *scope, double radius, lam_place place) {
+static bool radius_fits(const lam_scope *scope, double radius, lam_location location) {
   if (fabs(radius) >= scope->unit / 2) return true;
-  lam_error_add(scope->errors, place, "radius",
-                "given %g m; expected at least half the mean edge, %g m: no sphere that is smaller has such a chord",
+  lam_error_add(scope->errors, location, "radius",
+                "given %g m; expected at least half the mean edge, %g m: no sphere that is smaller "
+                "has such a chord",
                 radius, scope->unit / 2);
   return false;
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_spherical_star_params *given = params;
   lam_arena *arena = scope->problem->arena;
   lam_block block = {.name = "spherical-star", .rows = 2, .weight = weight, .arity = 5};
   block.count = lam_scope_stars(scope, false, &block.nodes);
   if (block.count == 0) return;
   if (given->radius != 0) {
-    if (!radius_fits(scope, given->radius, place)) return;
+    if (!radius_fits(scope, given->radius, location)) return;
     block.kernel = given_sphere;
     block.param_count = 1;
     block.params = LAM_NEW(arena, double, block.count);
@@ -119,32 +120,36 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
 
 static const char *const sphere_choices[] = {"own", "common", NULL};
 
-static const lam_key keys[] = {
-    {.name = "radius",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(lam_spherical_star_params, radius),
-     .count = 1,
-     .initial = "0",
-     .min = -1e12,
-     .max = 1e12,
-     .doc = "Radius of every sphere; negative when the centers lie behind the surface, seen from the tip of its normal "
-            "(a dome with normals outwards). 0: it is found."},
-    {.name = "spheres",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_spherical_star_params, spheres),
-     .count = 1,
-     .initial = "own",
-     .choices = sphere_choices,
-     .doc = "When the radius is found. own: every star has a sphere of its own; common: all have the same, unknown "
-            "radius."},
-    {0}};
+static const lam_key keys[] = {{.name = "radius",
+                                .type = LAM_KEY_NUMBER,
+                                .unit = LAM_UNIT_LENGTH,
+                                .offset = offsetof(lam_spherical_star_params, radius),
+                                .count = 1,
+                                .initial = "0",
+                                .min = -1e12,
+                                .max = 1e12,
+                                .doc = "Radius of every sphere; negative when the centers lie "
+                                       "behind the surface, seen from the tip of its normal "
+                                       "(a dome with normals outwards). 0: it is found."},
+                               {.name = "spheres",
+                                .type = LAM_KEY_CHOICE,
+                                .offset = offsetof(lam_spherical_star_params, spheres),
+                                .count = 1,
+                                .initial = "own",
+                                .choices = sphere_choices,
+                                .doc = "When the radius is found. own: every star has a sphere of "
+                                       "its own; common: all have the same, unknown "
+                                       "radius."},
+                               {0}};
 
 const lam_constraint_kind lam_con_spherical_star = {
     {"spherical-star", "Spherical vertex stars",
-     "Every regular vertex lies on one sphere with its four neighbors: both polylines have the same normal curvature "
-     "there, and the principal directions halve the angles between them. With one radius for all, strips normal to the "
+     "Every regular vertex lies on one sphere with its four neighbors: both polylines have the "
+     "same normal curvature "
+     "there, and the principal directions halve the angles between them. With one radius for all, "
+     "strips normal to the "
      "surface unroll to arcs of that radius. A very large radius is nearly an asymptotic net.",
-     "2 N.E1 / |E1|^2 = 2 N.E2 / |E2|^2 (= 1 / radius), N = unit(t1 x t2), t1 = unit(E1 |E3|^2 - E3 |E1|^2)",
+     "2 N.E1 / |E1|^2 = 2 N.E2 / |E2|^2 (= 1 / radius), N = unit(t1 x t2), t1 = unit(E1 |E3|^2 - "
+     "E3 |E1|^2)",
      "thesis 3.2.3, def. 8 and 10, th. 4 and 5", keys, sizeof(lam_spherical_star_params)},
     add};

@@ -1,7 +1,8 @@
 #include "con/star_cosines.h"
 
 /* r = sum c_k <e_k, e_(k+1)>, cyclic, so dr/de_k = c_k e_(k+1) + c_(k-1) e_(k-1). */
-void lam_star_cosines(int rows, const lam_cosines *cosines, int n, const double *x, double *r, double *J) {
+void lam_star_cosines(int rows, const lam_cosines *cosines, int n, const double *x, double *r,
+                      double *J) {
   lam_vec3 e[4];
   double length[4];
   lam_unit_edges(x, 4, e, length);
@@ -11,18 +12,21 @@ void lam_star_cosines(int rows, const lam_cosines *cosines, int n, const double 
     for (int k = 0; k < 4; k++) r[i] += c[k] * lam_dot(e[k], e[(k + 1) & 3]);
     if (!J) continue;
     lam_vec3 de[4];
-    for (int k = 0; k < 4; k++) de[k] = lam_along(lam_scale(e[(k + 1) & 3], c[k]), c[(k + 3) & 3], e[(k + 3) & 3]);
+    for (int k = 0; k < 4; k++)
+      de[k] = lam_along(lam_scale(e[(k + 1) & 3], c[k]), c[(k + 3) & 3], e[(k + 3) & 3]);
     lam_edges_row(J + i * n, 4, e, length, de);
   }
 }
 
-void lam_star_block_add(lam_scope *scope, const char *name, lam_kernel kernel, int rows, bool border, double weight) {
+void lam_star_block_add(lam_scope *scope, const char *name, lam_kernel kernel, int rows,
+                        bool border, double weight) {
   lam_block block = {.name = name, .kernel = kernel, .rows = rows, .weight = weight, .arity = 5};
   block.count = lam_scope_stars(scope, border, &block.nodes);
   lam_problem_add(scope->problem, block);
 }
 
-/* Nodes: center, border, inner, border. r = <e2, e1 - e3>, dr/de1 = e2, dr/de2 = e1 - e3, dr/de3 = -e2. */
+/* Nodes: center, border, inner, border. r = <e2, e1 - e3>, dr/de1 = e2, dr/de2 = e1 - e3, dr/de3 =
+ * -e2. */
 static void border_angles(int n, const double *x, const double *p, double *r, double *J) {
   (void)n, (void)p;
   lam_vec3 e[3];

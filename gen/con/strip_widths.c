@@ -2,9 +2,10 @@
 #include "con/kernel.h"
 
 /* Widths of strips between geodesics; w(a, s) is the edge across strip s at station a.
- *   equal         w(a, s) = w(a, s+1)                          all strips have the same width at a station
- *   proportional  w(a, s) w(b, s+1) = w(a, s+1) w(b, s)        and a factor for each strip (thesis eq. 3.8)
- *   constant      w(a, s) = w(a+1, s)                          each strip has one width all along */
+ *   equal         w(a, s) = w(a, s+1)                          all strips have the same width at a
+ * station proportional  w(a, s) w(b, s+1) = w(a, s+1) w(b, s)        and a factor for each strip
+ * (thesis eq. 3.8) constant      w(a, s) = w(a+1, s)                          each strip has one
+ * width all along */
 static const char *const choices[] = {"equal", "proportional", "constant", NULL};
 static const double difference[2] = {1, -1};
 
@@ -65,11 +66,12 @@ static void add_constant(lam_scope *scope, int family, double weight) {
   lam_edge_sum_add(scope, "strip-widths", weight, &list, difference);
 }
 
-static void add(lam_scope *scope, const void *params, double weight, lam_place place) {
+static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_strip_params *given = params;
   switch ((lam_widths)given->widths) {
   case LAM_WIDTHS_EQUAL:
-    lam_con_equal_edges.add(scope, &(lam_equal_edges_params){!given->family, LAM_LINES_ALL}, weight, place);
+    lam_con_equal_edges.add(scope, &(lam_equal_edges_params){!given->family, LAM_LINES_ALL}, weight,
+                            location);
     break;
   case LAM_WIDTHS_PROPORTIONAL:
     add_proportional(scope, given->family, weight);
@@ -80,29 +82,32 @@ static void add(lam_scope *scope, const void *params, double weight, lam_place p
   }
 }
 
-static const lam_key keys[] = {{.name = "geodesics",
-                                .type = LAM_KEY_INTEGER,
-                                .offset = offsetof(lam_strip_params, family),
-                                .count = 1,
-                                .initial = "0",
-                                .min = 0,
-                                .max = 1,
-                                .doc = "Family whose lines bound the strips: 0, along u, or 1, along v."},
-                               {.name = "widths",
-                                .type = LAM_KEY_CHOICE,
-                                .offset = offsetof(lam_strip_params, widths),
-                                .count = 1,
-                                .initial = "equal",
-                                .choices = choices,
-                                .doc =
-                                    "equal: at every line across, all strips have the same width; proportional: up to "
-                                    "a factor for each strip; constant: each strip has one width all along."},
-                               {0}};
+static const lam_key keys[] = {
+    {.name = "geodesics",
+     .type = LAM_KEY_INTEGER,
+     .offset = offsetof(lam_strip_params, family),
+     .count = 1,
+     .initial = "0",
+     .min = 0,
+     .max = 1,
+     .doc = "Family whose lines bound the strips: 0, along u, or 1, along v."},
+    {.name = "widths",
+     .type = LAM_KEY_CHOICE,
+     .offset = offsetof(lam_strip_params, widths),
+     .count = 1,
+     .initial = "equal",
+     .choices = choices,
+     .doc = "equal: at every line across, all strips have the same width; proportional: up to "
+            "a factor for each strip; constant: each strip has one width all along."},
+    {0}};
 
 const lam_constraint_kind lam_con_strip_widths = {
     {"strip-widths", "Widths of strips",
-     "Controls the widths of the strips between geodesics. With equal or proportional widths and geodesic-parallel the "
-     "net is isometric to a surface of revolution, and equal strips unroll to copies of one pattern; with constant "
+     "Controls the widths of the strips between geodesics. With equal or proportional widths and "
+     "geodesic-parallel the "
+     "net is isometric to a surface of revolution, and equal strips unroll to copies of one "
+     "pattern; with constant "
      "widths it is nearly developable.",
-     "w(a, s) w(b, s+1) = w(a, s+1) w(b, s)", "thesis 3.3.3, eq. 3.8, and 4.4.1", keys, sizeof(lam_strip_params)},
+     "w(a, s) w(b, s+1) = w(a, s+1) w(b, s)", "thesis 3.3.3, eq. 3.8, and 4.4.1", keys,
+     sizeof(lam_strip_params)},
     add};

@@ -1,6 +1,7 @@
-/* The memory of one run. Allocations are zeroed and never NULL: when memory runs out, control jumps to the run's
- * recovery point (LAM_ARENA_TRY). What needs closing (a factorization, a tree behind a shim) is deferred to the arena
- * and closed with it, in reverse order. An arena belongs to one thread.
+/* The memory of one run. Allocations are zeroed and never NULL: when memory runs out, control jumps
+ * to the run's recovery point (LAM_ARENA_TRY). What needs closing (a factorization, a tree behind a
+ * shim) is deferred to the arena and closed with it, in reverse order. An arena belongs to one
+ * thread.
  *
  * C++ code never allocates from an arena: a jump must not cross its frames. */
 #ifndef LAM_CORE_ARENA_H
@@ -21,13 +22,16 @@ void *lam_arena_alloc(lam_arena *arena, size_t count, size_t size);
 /* A zero-terminated copy. text may be NULL, which gives NULL. */
 char *lam_arena_copy(lam_arena *arena, const char *text);
 /* A formatted, zero-terminated string. */
-char *lam_arena_printf(lam_arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));
+char *lam_arena_printf(lam_arena *arena, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 /* Calls close(handle) when the arena is released past this point or freed. */
 void lam_arena_defer(lam_arena *arena, void (*close)(void *handle), void *handle);
 
-#define LAM_NEW(arena, type, count) ((type *)lam_arena_alloc((arena), (size_t)(count), sizeof(type)))
+#define LAM_NEW(arena, type, count)                                                                \
+  ((type *)lam_arena_alloc((arena), (size_t)(count), sizeof(type)))
 
-/* A position to go back to: everything allocated and deferred after the mark is released. Marks nest. */
+/* A position to go back to: everything allocated and deferred after the mark is released. Marks
+ * nest. */
 typedef struct lam_arena_mark {
   void *block;
   size_t used;
@@ -44,8 +48,8 @@ jmp_buf *lam_arena_recovery(lam_arena *arena);
 /* Jumps to the recovery point: for callers whose own library reports that memory ran out. */
 void lam_arena_exhausted(lam_arena *arena) __attribute__((noreturn));
 
-/* Test hook: the n-th allocation from now fails (n = 0: the next one); a negative n never fails. Returns the number of
- * allocations made since the last call. */
+/* Test hook: the n-th allocation from now fails (n = 0: the next one); a negative n never fails.
+ * Returns the number of allocations made since the last call. */
 long lam_alloc_fail_after(long n);
 
 #endif

@@ -5,7 +5,8 @@
 #include <string.h>
 #include <strings.h>
 
-void lam_error_add(lam_errors *errors, lam_place place, const char *key, const char *format, ...) {
+void lam_error_add(lam_errors *errors, lam_location location, const char *key, const char *format,
+                   ...) {
   va_list arguments, again;
   va_start(arguments, format);
   va_copy(again, arguments);
@@ -17,8 +18,9 @@ void lam_error_add(lam_errors *errors, lam_place place, const char *key, const c
   for (char *c = text; *c; c++)
     if ((unsigned char)*c < ' ') *c = ' ';
   lam_error *error = LAM_NEW(errors->arena, lam_error, 1);
-  place.file = lam_arena_copy(errors->arena, place.file);
-  *error = (lam_error){.place = place, .key = lam_arena_copy(errors->arena, key), .text = text};
+  location.file = lam_arena_copy(errors->arena, location.file);
+  *error =
+      (lam_error){.location = location, .key = lam_arena_copy(errors->arena, key), .text = text};
   if (errors->last)
     errors->last->next = error;
   else
@@ -27,7 +29,8 @@ void lam_error_add(lam_errors *errors, lam_place place, const char *key, const c
   errors->count++;
 }
 
-/* Damerau-Levenshtein distance (adjacent swaps count once), case ignored; texts beyond the limit are never close. */
+/* Damerau-Levenshtein distance (adjacent swaps count once), case ignored; texts beyond the limit
+ * are never close. */
 enum { longest_name = 40 };
 
 static int edit_distance(const char *a, const char *b) {
@@ -43,8 +46,8 @@ static int edit_distance(const char *a, const char *b) {
       int best = above[j - 1] + differs;
       if (above[j] + 1 < best) best = above[j] + 1;
       if (row[j - 1] + 1 < best) best = row[j - 1] + 1;
-      if (i > 1 && j > 1 && strncasecmp(a + i - 1, b + j - 2, 1) == 0 && strncasecmp(a + i - 2, b + j - 1, 1) == 0 &&
-          before[j - 2] + 1 < best)
+      if (i > 1 && j > 1 && strncasecmp(a + i - 1, b + j - 2, 1) == 0 &&
+          strncasecmp(a + i - 2, b + j - 1, 1) == 0 && before[j - 2] + 1 < best)
         best = before[j - 2] + 1;
       row[j] = best;
     }

@@ -1,5 +1,5 @@
-/* Messages for the person who wrote the input. Collected, so that all of them can be shown at once; kept in the order
- * in which they were added. A message is one line. */
+/* Messages for the person who wrote the input. Collected, so that all of them can be shown at once;
+ * kept in the order in which they were added. A message is one line. */
 #ifndef LAM_CORE_ERROR_H
 #define LAM_CORE_ERROR_H
 
@@ -14,14 +14,15 @@ typedef enum lam_status {
   LAM_FAILED           /* an outside library or program failed */
 } lam_status;
 
-/* Where something stands in an input file. Line and column count from 1; 0 means unknown. file may be NULL. */
-typedef struct lam_place {
+/* Where something stands in an input file. Line and column count from 1; 0 means unknown. file may
+ * be NULL. */
+typedef struct lam_location {
   const char *file;
   int line, column;
-} lam_place;
+} lam_location;
 
 typedef struct lam_error {
-  lam_place place;
+  lam_location location;
   const char *key;  /* dotted path, such as parts[0].height; NULL when none applies */
   const char *text; /* what was given, what is expected */
   struct lam_error *next;
@@ -34,10 +35,11 @@ typedef struct lam_errors {
 } lam_errors;
 
 /* Adds a message. key may be NULL. The texts are copied into the arena. */
-void lam_error_add(lam_errors *errors, lam_place place, const char *key, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
+void lam_error_add(lam_errors *errors, lam_location location, const char *key, const char *format,
+                   ...) __attribute__((format(printf, 4, 5)));
 
-/* The entry of names (NULL-terminated list) nearest to given, or NULL when none is close enough to suggest. */
+/* The entry of names (NULL-terminated list) nearest to given, or NULL when none is close enough to
+ * suggest. */
 const char *lam_did_you_mean(const char *given, const char *const *names);
 
 #endif

@@ -11,13 +11,14 @@
 /* The reason is read before anything else can change it. */
 static lam_status fail(lam_errors *errors, const char *path, const char *what, int reason) {
   char text[128];
-  lam_error_add(errors, (lam_place){.file = path}, NULL, "%s: %s", what, strerror_r(reason, text, sizeof text));
+  lam_error_add(errors, (lam_location){.file = path}, NULL, "%s: %s", what,
+                strerror_r(reason, text, sizeof text));
   return LAM_IO;
 }
 
 /* Reads to the end; the file may be a pipe, whose size is not known before. */
-static lam_status read_all(lam_arena *arena, int file, const char *path, size_t limit, size_t guess, lam_errors *errors,
-                           char **bytes, size_t *count) {
+static lam_status read_all(lam_arena *arena, int file, const char *path, size_t limit, size_t guess,
+                           lam_errors *errors, char **bytes, size_t *count) {
   size_t capacity = guess + 1, length = 0;
   char *data = lam_arena_alloc(arena, capacity + 1, 1);
   for (;;) {
@@ -27,7 +28,7 @@ static lam_status read_all(lam_arena *arena, int file, const char *path, size_t 
     if (got == 0) break;
     length += (size_t)got;
     if (length > limit) {
-      lam_error_add(errors, (lam_place){.file = path}, NULL, "is larger than %zu bytes", limit);
+      lam_error_add(errors, (lam_location){.file = path}, NULL, "is larger than %zu bytes", limit);
       return LAM_BAD_INPUT;
     }
     if (length < capacity) continue;
@@ -49,8 +50,8 @@ static void close_file(void *handle) {
   *file = NULL;
 }
 
-lam_status lam_file_read(lam_arena *arena, const char *path, size_t limit, lam_errors *errors, char **bytes,
-                         size_t *count) {
+lam_status lam_file_read(lam_arena *arena, const char *path, size_t limit, lam_errors *errors,
+                         char **bytes, size_t *count) {
   *bytes = NULL;
   *count = 0;
   FILE **file = LAM_NEW(arena, FILE *, 1);
@@ -83,7 +84,8 @@ static int write_and_close(int file, const void *bytes, size_t count) {
   return reason;
 }
 
-lam_status lam_file_write_atomic(const char *path, const void *bytes, size_t count, lam_errors *errors) {
+lam_status lam_file_write_atomic(const char *path, const void *bytes, size_t count,
+                                 lam_errors *errors) {
   struct stat info;
   if (!stat(path, &info) && !S_ISREG(info.st_mode)) {
     int file = open(path, O_WRONLY | O_CLOEXEC);
@@ -111,7 +113,8 @@ lam_status lam_path_make_dirs(const char *path, lam_errors *errors) {
     struct stat info;
     if (mkdir(partial, 0777) && (errno != EEXIST || stat(partial, &info)))
       return fail(errors, partial, "the folder cannot be made", errno);
-    if (!stat(partial, &info) && !S_ISDIR(info.st_mode)) return fail(errors, partial, "is not a folder", ENOTDIR);
+    if (!stat(partial, &info) && !S_ISDIR(info.st_mode))
+      return fail(errors, partial, "is not a folder", ENOTDIR);
     *end = separator;
   }
   return LAM_OK;

@@ -4,15 +4,16 @@
 
 #include "core/error.h"
 
-/* Reads a file of at most `limit` bytes into the arena. *bytes is followed by a zero that is not counted.
- * LAM_IO: it cannot be read. LAM_BAD_INPUT: it is larger than the limit. */
-lam_status lam_file_read(lam_arena *arena, const char *path, size_t limit, lam_errors *errors, char **bytes,
-                         size_t *count);
+/* Reads a file of at most `limit` bytes into the arena. *bytes is followed by a zero that is not
+ * counted. LAM_IO: it cannot be read. LAM_BAD_INPUT: it is larger than the limit. */
+lam_status lam_file_read(lam_arena *arena, const char *path, size_t limit, lam_errors *errors,
+                         char **bytes, size_t *count);
 
-/* Writes a file so that nobody sees half of it: under a temporary name in the same folder, renamed when complete. An
- * existing file is replaced, and stays as it was when writing fails. What is not a plain file (such as /dev/null) is
- * written to directly. The folder must exist. LAM_IO. */
-lam_status lam_file_write_atomic(const char *path, const void *bytes, size_t count, lam_errors *errors);
+/* Writes a file so that nobody sees half of it: under a temporary name in the same folder, renamed
+ * when complete. An existing file is replaced, and stays as it was when writing fails. What is not
+ * a plain file (such as /dev/null) is written to directly. The folder must exist. LAM_IO. */
+lam_status lam_file_write_atomic(const char *path, const void *bytes, size_t count,
+                                 lam_errors *errors);
 
 /* Makes a folder and the folders above it where they are missing. LAM_IO. */
 lam_status lam_path_make_dirs(const char *path, lam_errors *errors);

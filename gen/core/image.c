@@ -12,7 +12,7 @@ lam_image lam_image_new(lam_arena *arena, int width, int height) {
 }
 
 static lam_status fail(lam_errors *errors, const char *path, const char *what) {
-  lam_error_add(errors, (lam_place){.file = path}, NULL, "%s", what);
+  lam_error_add(errors, (lam_location){.file = path}, NULL, "%s", what);
   return LAM_BAD_INPUT;
 }
 
@@ -21,24 +21,29 @@ static void free_png(void *handle) {
   png_image_free(png);
 }
 
-lam_status lam_image_read(lam_arena *arena, const char *path, lam_errors *errors, lam_image *image) {
+lam_status lam_image_read(lam_arena *arena, const char *path, lam_errors *errors,
+                          lam_image *image) {
   char *bytes;
   size_t count;
   lam_status status = lam_file_read(arena, path, largest_file, errors, &bytes, &count);
   if (status != LAM_OK) return status;
-  png_image *png = LAM_NEW(arena, png_image, 1); /* freed with the arena: an allocation below may jump */
+  png_image *png =
+      LAM_NEW(arena, png_image, 1); /* freed with the arena: an allocation below may jump */
   png->version = PNG_IMAGE_VERSION;
   lam_arena_defer(arena, free_png, png);
   if (!png_image_begin_read_from_memory(png, bytes, count)) {
-    lam_error_add(errors, (lam_place){.file = path}, NULL, "is not a readable PNG picture: %s", png->message);
+    lam_error_add(errors, (lam_location){.file = path}, NULL, "is not a readable PNG picture: %s",
+                  png->message);
     return LAM_BAD_INPUT;
   }
-  if (png->width > largest_side || png->height > largest_side) return fail(errors, path, "the picture is too large");
+  if (png->width > largest_side || png->height > largest_side)
+    return fail(errors, path, "the picture is too large");
   png->format = PNG_FORMAT_RGB;
   lam_image read = lam_image_new(arena, (int)png->width, (int)png->height);
   const png_color white = {255, 255, 255};
   if (!png_image_finish_read(png, &white, read.pixels, 0, NULL)) {
-    lam_error_add(errors, (lam_place){.file = path}, NULL, "is not a readable PNG picture: %s", png->message);
+    lam_error_add(errors, (lam_location){.file = path}, NULL, "is not a readable PNG picture: %s",
+                  png->message);
     return LAM_BAD_INPUT;
   }
   *image = read;
@@ -61,7 +66,7 @@ lam_status lam_image_write(const char *path, const lam_image *image, lam_errors 
   uint8_t *bytes;
   size_t size;
   if (!lam_image_encode(errors->arena, image, &bytes, &size)) {
-    lam_error_add(errors, (lam_place){.file = path}, NULL, "cannot be written: libpng failed");
+    lam_error_add(errors, (lam_location){.file = path}, NULL, "cannot be written: libpng failed");
     return LAM_FAILED;
   }
   return lam_file_write_atomic(path, bytes, size, errors);
@@ -95,7 +100,8 @@ lam_image_difference lam_image_compare(const lam_image *a, const lam_image *b, l
   for (size_t i = 0; i < count; i++) {
     int largest = 0;
     for (size_t k = 3 * i; k < 3 * i + 3; k++) {
-      int d = a->pixels[k] < b->pixels[k] ? b->pixels[k] - a->pixels[k] : a->pixels[k] - b->pixels[k];
+      int d =
+          a->pixels[k] < b->pixels[k] ? b->pixels[k] - a->pixels[k] : a->pixels[k] - b->pixels[k];
       squares += (uint64_t)(d * d);
       if (d > largest) largest = d;
     }

@@ -21,8 +21,8 @@ lam_status lam_image_write(const char *path, const lam_image *image, lam_errors 
 /* The bytes of that file, in the arena. false: libpng failed. */
 bool lam_image_encode(lam_arena *arena, const lam_image *image, uint8_t **bytes, size_t *count);
 
-/* FNV-1a, 64 bits (offset basis cbf29ce484222325, prime 100000001b3), over width and height (each as 4 bytes, little
- * end first) and the pixels: equal for files that decode to the same picture. */
+/* FNV-1a, 64 bits (offset basis cbf29ce484222325, prime 100000001b3), over width and height (each
+ * as 4 bytes, little end first) and the pixels: equal for files that decode to the same picture. */
 uint64_t lam_image_hash(const lam_image *image);
 
 typedef struct lam_image_difference {
@@ -33,8 +33,8 @@ typedef struct lam_image_difference {
 
 enum { lam_image_step = 4 };
 
-/* Compares images of the same size. mask: NULL, or an image of that size, which becomes a pale copy of a in which
- * pixels that differ by more than lam_image_step are red. */
+/* Compares images of the same size. mask: NULL, or an image of that size, which becomes a pale copy
+ * of a in which pixels that differ by more than lam_image_step are red. */
 lam_image_difference lam_image_compare(const lam_image *a, const lam_image *b, lam_image *mask);
 
 #endif

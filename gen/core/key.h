@@ -1,6 +1,7 @@
-/* Keys of the design language. Every registry row (surface, net, constraint, part, ...) lists its keys in one table;
- * the parser fills the row's parameter struct from it, and the help, the reference pages and the tests read the same
- * table. Defaults are texts in the design language, so that there is one parser and one source for them.
+/* Keys of the design language. Every registry row (surface, net, constraint, part, ...) lists its
+ * keys in one table; the parser fills the row's parameter struct from it, and the help, the
+ * reference pages and the tests read the same table. Defaults are texts in the design language, so
+ * that there is one parser and one source for them.
  *
  * How a value is stored at `offset` in the parameter struct:
  *   type            count 1                  count n > 1       count 0 (any number)
@@ -11,9 +12,10 @@
  *   TEXT            const char *             -                 lam_list of const char *
  *   MAP             the nested struct        -                 lam_list of the nested struct
  *   ROW             lam_row                  -                 lam_list of lam_row
- * A scalar where a MAP is expected fills the map's first key (`from: surface` is `from: {stage: surface}`); a scalar
- * where a ROW is expected is its kind. A single value where a list of any length is expected is a list of one. A list
- * longer or shorter than asked for is an error that states both lengths. */
+ * A scalar where a MAP is expected fills the map's first key (`from: surface` is `from: {stage:
+ * surface}`); a scalar where a ROW is expected is its kind. A single value where a list of any
+ * length is expected is a list of one. A list longer or shorter than asked for is an error that
+ * states both lengths. */
 #ifndef LAM_CORE_KEY_H
 #define LAM_CORE_KEY_H
 
@@ -31,8 +33,8 @@ typedef enum lam_key_type {
   LAM_KEY_ROW
 } lam_key_type;
 
-/* LENGTH: a number with m, cm, mm or um; stored in meters. ANGLE: deg or rad; stored in radians. A bare number with a
- * unit missing is an error, except 0. */
+/* LENGTH: a number with m, cm, mm or um; stored in meters. ANGLE: deg or rad; stored in radians. A
+ * bare number with a unit missing is an error, except 0. */
 typedef enum lam_key_unit { LAM_UNIT_NONE, LAM_UNIT_LENGTH, LAM_UNIT_ANGLE } lam_key_unit;
 
 typedef struct lam_key {
@@ -41,23 +43,24 @@ typedef struct lam_key {
   lam_key_unit unit;
   size_t offset;
   int count;
-  const char *initial;        /* the default, as it would stand in a design; NULL: the key must be given */
-  double min, max;            /* for NUMBER and INTEGER, in stored units, inclusive; min == max: no limit */
+  const char *initial; /* the default, as it would stand in a design; NULL: the key must be given */
+  double min, max; /* for NUMBER and INTEGER, in stored units, inclusive; min == max: no limit */
   const char *const *choices; /* CHOICE: NULL-terminated */
-  const struct lam_key
-      *keys;   /* MAP: keys of the nested struct; ROW: keys accepted beside every row's own; may be NULL */
-  size_t size; /* MAP, ROW: size of the struct that keys fill */
+  const struct lam_key *keys; /* MAP: keys of the nested struct; ROW: keys accepted beside every
+                                 row's own; may be NULL */
+  size_t size;                /* MAP, ROW: size of the struct that keys fill */
   const struct lam_registry *rows; /* ROW: the registry that `kind:` is looked up in */
-  size_t given_offset;             /* when not 0: a bool there says whether the design gave the key */
-  const char *doc;                 /* one sentence, for the reference page */
-} lam_key;                         /* a table ends with a key whose name is NULL */
+  size_t given_offset; /* when not 0: a bool there says whether the design gave the key */
+  const char *doc;     /* one sentence, for the reference page */
+} lam_key;             /* a table ends with a key whose name is NULL */
 
 typedef struct lam_list {
   int count;
   void *items; /* count values, contiguous; owned by the design's arena */
 } lam_list;
 
-/* The common head of every registry row. A kind is a struct whose first member is a lam_row_head. */
+/* The common head of every registry row. A kind is a struct whose first member is a lam_row_head.
+ */
 typedef struct lam_row_head {
   const char *name;     /* as written after `kind:` */
   const char *title;    /* a few words */
@@ -76,13 +79,15 @@ typedef struct lam_registry {
   int count;
 } lam_registry;
 
-/* A parsed choice of a row with its parameters. head is NULL when the design does not give the key. */
+/* A parsed choice of a row with its parameters. head is NULL when the design does not give the key.
+ */
 typedef struct lam_row {
   const lam_row_head *head;
   void *params; /* of head->params_size bytes, filled from head->keys */
-  void *common; /* of the key's size bytes, filled from the key's own keys: those that every row of the registry accepts
+  void *common; /* of the key's size bytes, filled from the key's own keys: those that every row of
+                 * the registry accepts
                  */
-  lam_place place; /* where it stands in the design */
+  lam_location location; /* where it stands in the design */
 } lam_row;
 
 /* The row called name, or NULL. */

@@ -1,5 +1,5 @@
-/* The model: what a design was turned into, as plain data. Writers see nothing else. Meters, radians, z up.
- * Everything is owned by the arena of the run. */
+/* The model: what a design was turned into, as plain data. Writers see nothing else. Meters,
+ * radians, z up. Everything is owned by the arena of the run. */
 #ifndef LAM_CORE_MODEL_H
 #define LAM_CORE_MODEL_H
 
@@ -44,8 +44,9 @@ typedef struct lam_spline_surface {
   const char *name; /* unique and file-name safe; NULL outside a model */
   int degree[2], count[2];
   const double *knots[2]; /* count + degree + 1 numbers that do not decrease */
-  const lam_vec3 *points; /* count[0] x count[1], v running fastest; meters, not multiplied by weights */
-  const double *weights;  /* positive, in the order of points; NULL: all 1 */
+  const lam_vec3
+      *points; /* count[0] x count[1], v running fastest; meters, not multiplied by weights */
+  const double *weights; /* positive, in the order of points; NULL: all 1 */
 } lam_spline_surface;
 
 /* A curve for CAD programs: the axis of a lamella, or a line of the net. */
@@ -87,23 +88,26 @@ typedef struct lam_flat_slot {
   double at; /* along the axis, where the partner's middle line crosses */
 } lam_flat_slot;
 
-/* A developed part: outline, slots and holes on CUT, marks on ENGRAVE, lettering (as single strokes) on LABEL. */
+/* A developed part: outline, slots and holes on CUT, marks on ENGRAVE, lettering (as single
+ * strokes) on LABEL. */
 typedef struct lam_flat {
   int path_count;
   lam_path *paths;
   lam_vec2 min, max; /* bounds of the paths */
   double thickness;
-  double height;  /* of a strip, across its axis; 0 when the part is not a strip, and nothing below is given */
+  double height;  /* of a strip, across its axis; 0 when the part is not a strip, and nothing below
+                     is given */
   int axis_count; /* the developed middle line, from end to end */
   lam_vec2 *axis;
-  bool reversed;  /* the axis runs against the part's direction of travel, so that the marked face is the outer one */
+  bool reversed; /* the axis runs against the part's direction of travel, so that the marked face is
+                    the outer one */
   int slot_count; /* in order along the axis */
   lam_flat_slot *slots;
 } lam_flat;
 
 /* ---- records for programs that rebuild the part themselves (OpenSCAD) ---- */
-/* A table of numbers: rows x columns, row-major. Lengths in meters; decimals is the precision to write after
- * conversion: lengths (is_length[column]) are written in millimeters. */
+/* A table of numbers: rows x columns, row-major. Lengths in meters; decimals is the precision to
+ * write after conversion: lengths (is_length[column]) are written in millimeters. */
 typedef struct lam_record {
   const char *name; /* of the part */
   int family;
@@ -120,10 +124,10 @@ typedef struct lam_record_column {
 
 /* ---- parts ---- */
 /* Position of one instance: x_world = origin + x axis[0] + y axis[1] + z axis[2]. */
-typedef struct lam_frame {
+typedef struct lam_pose {
   lam_vec3 origin;
   lam_vec3 axis[3];
-} lam_frame;
+} lam_pose;
 
 typedef struct lam_fact {
   const char *name; /* for instance "length" */
@@ -135,13 +139,17 @@ typedef struct lam_part {
   const char *name; /* unique and file-name safe, for instance "A07a" */
   const char *kind; /* row of the part registry that made it */
   int family;       /* 0, 1, or -1 */
-  int group;        /* which physical element it belongs to (the two sheets of a pair share it); -1 when none */
-  int congruence;   /* parts with the same number are copies of each other; counts from 1; 0 when not known */
+  int group; /* which physical element it belongs to (the two sheets of a pair share it); -1 when
+                none */
+  int congruence; /* parts with the same number are copies of each other; counts from 1; 0 when not
+                     known */
   const lam_material *material;
-  bool drawn;         /* to be looked at, not made: it may pass through other parts, and has no flat pattern */
+  bool drawn; /* to be looked at, not made: it may pass through other parts, and has no flat pattern
+               */
   lam_trimesh solid;  /* closed and oriented */
-  int instance_count; /* 0: the solid stands where it is; n: it is placed by frames (and not where it is) */
-  lam_frame *instances;
+  int instance_count; /* 0: the solid stands where it is; n: it is placed by frames (and not where
+                         it is) */
+  lam_pose *instances;
   double length;      /* developed length, 0 when it has none */
   double mass;        /* kg, of one instance */
   lam_flat *flat;     /* NULL when it is not cut from a sheet */
@@ -160,13 +168,13 @@ typedef struct lam_crossing {
 } lam_crossing;
 
 /* ---- sheets ---- */
-typedef struct lam_placed {
+typedef struct lam_sheet_piece {
   int part; /* index of the part; -1 for a splice plate, which belongs to no part */
   const char *label;
   double area, length; /* of the finished piece: kerf not counted */
   int path_count;
   lam_path *paths; /* in sheet coordinates, kerf already applied */
-} lam_placed;
+} lam_sheet_piece;
 
 typedef struct lam_sheet {
   const char *name;
@@ -174,13 +182,14 @@ typedef struct lam_sheet {
   const lam_material *material;
   double thickness;
   double kerf; /* 0: the outlines are not compensated */
-  int placed_count;
-  lam_placed *placed;
+  int piece_count;
+  lam_sheet_piece *placed;
   double used; /* area of the parts / area of the sheet */
 } lam_sheet;
 
 /* ---- report ---- */
-/* What was measured on a number of elements. NaN: undefined, or not known (min of a stage that keeps none). */
+/* What was measured on a number of elements. NaN: undefined, or not known (min of a stage that
+ * keeps none). */
 typedef struct lam_measure {
   const char *name, *unit;
   double min, max, mean;
@@ -217,8 +226,8 @@ typedef struct lam_map {
   const double *values;    /* not finite: undefined there */
   const int (*edges)[2];   /* vertices of the edges, when the values are on edges */
   const lam_vec3 *normals; /* unit normals of the net's vertices */
-  const lam_vec2 *layout;  /* the net's vertices in the plane that it is compared with; NULL: none */
-  double range[2];         /* of the colors, when several maps share them; 0, 0: that of the summary */
+  const lam_vec2 *layout; /* the net's vertices in the plane that it is compared with; NULL: none */
+  double range[2]; /* of the colors, when several maps share them; 0, 0: that of the summary */
 } lam_map;
 
 /* ---- prints ---- */
@@ -226,8 +235,9 @@ typedef struct lam_map {
 typedef struct lam_printed {
   const char *name; /* unique */
   lam_trimesh mesh;
-  const lam_vec2 *places;           /* 0 to 1 from the picture's lower left corner, per vertex */
-  double max_stretch, mean_stretch; /* ratio of singular values of the map from the picture to the surface, >= 1 */
+  const lam_vec2 *places; /* 0 to 1 from the picture's lower left corner, per vertex */
+  double max_stretch,
+      mean_stretch; /* ratio of singular values of the map from the picture to the surface, >= 1 */
 } lam_printed;
 
 /* A picture and the surfaces it is printed on. */
@@ -274,7 +284,8 @@ typedef struct lam_model {
   lam_picture picture;
 } lam_model;
 
-/* How a kind's records are rebuilt in OpenSCAD: the template, its columns and the literals of the Customizer. */
+/* How a kind's records are rebuilt in OpenSCAD: the template, its columns and the literals of the
+ * Customizer. */
 typedef struct lam_setting {
   const char *name;    /* OpenSCAD variable */
   const char *section; /* Customizer group */

@@ -16,7 +16,7 @@
 
 extern char **environ;
 
-static const lam_place nowhere;
+static const lam_location nowhere;
 
 /* ---- finding the program ---- */
 
@@ -31,7 +31,8 @@ bool lam_process_exists(const char *program) {
   while (path && *program) {
     size_t length = strcspn(path, ":");
     char candidate[PATH_MAX];
-    int written = snprintf(candidate, sizeof candidate, "%.*s/%s", (int)length, length ? path : ".", program);
+    int written =
+        snprintf(candidate, sizeof candidate, "%.*s/%s", (int)length, length ? path : ".", program);
     if (length == 0) written = snprintf(candidate, sizeof candidate, "./%s", program);
     if (written > 0 && (size_t)written < sizeof candidate && is_program(candidate)) return true;
     path = path[length] ? path + length + 1 : NULL;
@@ -42,7 +43,8 @@ bool lam_process_exists(const char *program) {
 static lam_status report_missing(const lam_process *process, lam_errors *errors) {
   const char *program = process->arguments[0];
   if (process->package) {
-    lam_error_add(errors, nowhere, NULL, "%s is not installed (Debian package %s)", program, process->package);
+    lam_error_add(errors, nowhere, NULL, "%s is not installed (Debian package %s)", program,
+                  process->package);
   } else {
     lam_error_add(errors, nowhere, NULL, "%s is not installed", program);
   }
@@ -79,8 +81,8 @@ static double now(void) {
   return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* Starts the program with its stdout and stderr on pipe_end. Returns 0 or an error number. It leads a process group of
- * its own, so that a timeout ends what it started too. */
+/* Starts the program with its stdout and stderr on pipe_end. Returns 0 or an error number. It leads
+ * a process group of its own, so that a timeout ends what it started too. */
 static int start(const lam_process *process, char **environment, int pipe_end, pid_t *pid) {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
@@ -89,14 +91,15 @@ static int start(const lam_process *process, char **environment, int pipe_end, p
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   if (process->output_path) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, process->output_path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, process->output_path,
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0666);
   } else {
     posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
   }
   posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
   if (process->directory) posix_spawn_file_actions_addchdir_np(&actions, process->directory);
-  int error =
-      posix_spawnp(pid, process->arguments[0], &actions, &attributes, (char *const *)process->arguments, environment);
+  int error = posix_spawnp(pid, process->arguments[0], &actions, &attributes,
+                           (char *const *)process->arguments, environment);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   return error;
@@ -123,7 +126,8 @@ static bool collect(int pipe_end, double deadline, lam_text *output) {
   }
 }
 
-/* Waits for the end of pid. False when the time is up (a program may close its output long before it ends). */
+/* Waits for the end of pid. False when the time is up (a program may close its output long before
+ * it ends). */
 static bool wait_for(pid_t pid, double deadline, int *status) {
   for (;;) {
     pid_t ended = waitpid(pid, status, deadline > 0 ? WNOHANG : 0);
@@ -140,7 +144,8 @@ lam_status lam_process_run(const lam_process *process, int *exit_code, lam_error
   if (!lam_process_exists(program)) return report_missing(process, errors);
   struct stat facts;
   if (process->directory && (stat(process->directory, &facts) != 0 || !S_ISDIR(facts.st_mode))) {
-    lam_error_add(errors, nowhere, NULL, "%s: no such folder to run %s in", process->directory, program);
+    lam_error_add(errors, nowhere, NULL, "%s: no such folder to run %s in", process->directory,
+                  program);
     return LAM_IO;
   }
   char **environment = merge_environment(errors->arena, process->environment);

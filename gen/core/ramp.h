@@ -6,7 +6,8 @@ typedef struct lam_rgb {
   double r, g, b; /* linear light, 0 to 1 */
 } lam_rgb;
 
-/* The t-th color of a scale, t in [0, 1]: dark violet to pale yellow, lightness linear in t; or blue over white to red.
+/* The t-th color of a scale, t in [0, 1]: dark violet to pale yellow, lightness linear in t; or
+ * blue over white to red.
  */
 lam_rgb lam_ramp_sequential(double t);
 lam_rgb lam_ramp_diverging(double t);

@@ -26,7 +26,9 @@ void lam_text_bytes(lam_text *text, const void *bytes, size_t count) {
   text->length += count;
 }
 
-void lam_text_add(lam_text *text, const char *string) { lam_text_bytes(text, string, strlen(string)); }
+void lam_text_add(lam_text *text, const char *string) {
+  lam_text_bytes(text, string, strlen(string));
+}
 
 void lam_text_printf(lam_text *text, const char *format, ...) {
   va_list arguments, again;
@@ -98,8 +100,8 @@ void lam_text_u16(lam_text *text, uint16_t value) {
 }
 
 void lam_text_u32(lam_text *text, uint32_t value) {
-  unsigned char bytes[4] = {(unsigned char)value, (unsigned char)(value >> 8), (unsigned char)(value >> 16),
-                            (unsigned char)(value >> 24)};
+  unsigned char bytes[4] = {(unsigned char)value, (unsigned char)(value >> 8),
+                            (unsigned char)(value >> 16), (unsigned char)(value >> 24)};
   lam_text_bytes(text, bytes, 4);
 }
 

@@ -13,11 +13,17 @@ typedef struct lam_vec3 {
 } lam_vec3;
 
 static inline lam_vec3 lam_v3(double x, double y, double z) { return (lam_vec3){x, y, z}; }
-static inline lam_vec3 lam_add(lam_vec3 a, lam_vec3 b) { return lam_v3(a.x + b.x, a.y + b.y, a.z + b.z); }
-static inline lam_vec3 lam_sub(lam_vec3 a, lam_vec3 b) { return lam_v3(a.x - b.x, a.y - b.y, a.z - b.z); }
+static inline lam_vec3 lam_add(lam_vec3 a, lam_vec3 b) {
+  return lam_v3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+static inline lam_vec3 lam_sub(lam_vec3 a, lam_vec3 b) {
+  return lam_v3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
 static inline lam_vec3 lam_scale(lam_vec3 a, double s) { return lam_v3(a.x * s, a.y * s, a.z * s); }
 /* a + s b */
-static inline lam_vec3 lam_along(lam_vec3 a, double s, lam_vec3 b) { return lam_add(a, lam_scale(b, s)); }
+static inline lam_vec3 lam_along(lam_vec3 a, double s, lam_vec3 b) {
+  return lam_add(a, lam_scale(b, s));
+}
 static inline double lam_dot(lam_vec3 a, lam_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static inline lam_vec3 lam_cross(lam_vec3 a, lam_vec3 b) {
   return lam_v3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
@@ -29,8 +35,12 @@ static inline lam_vec3 lam_unit(lam_vec3 a) {
   double length = lam_length(a);
   return length > 0 ? lam_scale(a, 1 / length) : a;
 }
-static inline lam_vec3 lam_mix(lam_vec3 a, lam_vec3 b, double t) { return lam_along(a, t, lam_sub(b, a)); }
+static inline lam_vec3 lam_mix(lam_vec3 a, lam_vec3 b, double t) {
+  return lam_along(a, t, lam_sub(b, a));
+}
 /* The angle between a and b in [0, pi], accurate near 0 and pi too. */
-static inline double lam_angle(lam_vec3 a, lam_vec3 b) { return atan2(lam_length(lam_cross(a, b)), lam_dot(a, b)); }
+static inline double lam_angle(lam_vec3 a, lam_vec3 b) {
+  return atan2(lam_length(lam_cross(a, b)), lam_dot(a, b));
+}
 
 #endif

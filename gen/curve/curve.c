@@ -1,5 +1,5 @@
 #include "curve/curve.h"
-#include "curve/basis.h"
+#include "curve/bspline/basis.h"
 #include <assert.h>
 
 /* Derivatives of x = A / W, with A the sum of w P and W the sum of w (Piegl & Tiller, eq. 4.8):
@@ -7,7 +7,8 @@
 void lam_spline_curve_eval(const lam_spline_curve *c, double t, int order, lam_vec3 *values) {
   double basis[LAM_BASIS_MAX_VALUES * LAM_BASIS_MAX_VALUES], weight[LAM_BASIS_MAX_VALUES];
   assert(order <= LAM_BASIS_MAX_DEGREE);
-  int span = lam_basis_span(c->degree, c->count, c->knots, t), first = span - c->degree, width = c->degree + 1;
+  int span = lam_basis_span(c->degree, c->count, c->knots, t), first = span - c->degree,
+      width = c->degree + 1;
   lam_basis_eval(c->degree, c->knots, span, t, order, basis);
   for (int k = 0; k <= order; k++) {
     values[k] = lam_v3(0, 0, 0);
@@ -36,8 +37,8 @@ lam_curve lam_curve_of_spline(lam_arena *arena, const lam_spline_curve *spline) 
   double *breaks = LAM_NEW(arena, double, spline->count), high = spline->knots[spline->count];
   int count = 0;
   for (int i = spline->degree + 1; i < spline->count; i++)
-    if (spline->knots[i] > spline->knots[i - 1] && spline->knots[i] > spline->knots[spline->degree] &&
-        spline->knots[i] < high)
+    if (spline->knots[i] > spline->knots[i - 1] &&
+        spline->knots[i] > spline->knots[spline->degree] && spline->knots[i] < high)
       breaks[count++] = spline->knots[i];
   return (lam_curve){eval_spline, spline, spline->knots[spline->degree], high, count, breaks};
 }
@@ -55,7 +56,8 @@ const char *lam_spline_curve_problem(const lam_spline_curve *curve) {
   if (curve->count <= curve->degree) return "has too few points for its degree";
   for (int i = 0; curve->weights && i < curve->count; i++)
     if (!(curve->weights[i] > 0)) return "has a weight that is not positive";
-  return lam_knots_problem(curve->degree, curve->count, curve->count + curve->degree + 1, curve->knots);
+  return lam_knots_problem(curve->degree, curve->count, curve->count + curve->degree + 1,
+                           curve->knots);
 }
 
 lam_bspline lam_spline_curve_net(lam_arena *arena, const lam_spline_curve *curve, bool rational) {

@@ -1,13 +1,14 @@
-/* Spline curves, polynomial and rational: evaluation and exact changes. All of it happens on homogeneous points
- * (w x, w y, w z, w), so rational curves stay exactly what they are (Piegl & Tiller, The NURBS Book, ch. 4 and 5).
+/* Spline curves, polynomial and rational: evaluation and exact changes. All of it happens on
+ * homogeneous points (w x, w y, w z, w), so rational curves stay exactly what they are (Piegl &
+ * Tiller, The NURBS Book, ch. 4 and 5).
  *
- * Preconditions everywhere: sound knots (lam_knots_problem returns NULL), positive weights or NULL. Results are owned
- * by the arena. */
+ * Preconditions everywhere: sound knots (lam_knots_problem returns NULL), positive weights or NULL.
+ * Results are owned by the arena. */
 #ifndef LAM_CURVE_CURVE_H
 #define LAM_CURVE_CURVE_H
 
 #include "core/model.h"
-#include "curve/bspline.h"
+#include "curve/bspline/bspline.h"
 
 /* Any parameterized curve over [from, to]. */
 typedef struct lam_curve {
@@ -16,7 +17,8 @@ typedef struct lam_curve {
   const void *data;
   double from, to;
   int break_count;
-  const double *breaks; /* ascending, inside (from, to): where the curve is not smooth; NULL when there are none */
+  const double *breaks; /* ascending, inside (from, to): where the curve is not smooth; NULL when
+                           there are none */
 } lam_curve;
 
 /* The curve of a spline, which is kept by pointer. Breaks are its inner knots. */
@@ -24,7 +26,8 @@ lam_curve lam_curve_of_spline(lam_arena *arena, const lam_spline_curve *spline);
 /* from, breaks, to: break_count + 2 numbers. */
 const double *lam_curve_places(lam_arena *arena, const lam_curve *curve);
 
-/* The point and its derivatives: values[0 .. order], order <= LAM_BASIS_MAX_DEGREE. Allocates nothing. */
+/* The point and its derivatives: values[0 .. order], order <= LAM_BASIS_MAX_DEGREE. Allocates
+ * nothing. */
 void lam_spline_curve_eval(const lam_spline_curve *curve, double t, int order, lam_vec3 *values);
 /* Why the curve is not sound, as the end of a sentence, or NULL. */
 const char *lam_spline_curve_problem(const lam_spline_curve *curve);
@@ -35,26 +38,34 @@ lam_bspline lam_spline_curve_net(lam_arena *arena, const lam_spline_curve *curve
 lam_spline_curve lam_spline_curve_from_net(lam_arena *arena, lam_bspline net);
 
 /* The same curve with the knot t standing `multiplicity` times. */
-lam_spline_curve lam_spline_curve_insert(lam_arena *arena, lam_spline_curve curve, double t, int multiplicity);
-/* Removes the inner knot t up to `times` times, as long as the curve moves by at most tolerance (meters). Returns how
- * often it went. For rational curves the bound is that of Piegl & Tiller, eq. 5.30. */
-int lam_spline_curve_remove(lam_arena *arena, lam_spline_curve *curve, double t, int times, double tolerance);
+lam_spline_curve lam_spline_curve_insert(lam_arena *arena, lam_spline_curve curve, double t,
+                                         int multiplicity);
+/* Removes the inner knot t up to `times` times, as long as the curve moves by at most tolerance
+ * (meters). Returns how often it went. For rational curves the bound is that of Piegl & Tiller,
+ * eq. 5.30. */
+int lam_spline_curve_remove(lam_arena *arena, lam_spline_curve *curve, double t, int times,
+                            double tolerance);
 /* The same curve with a higher degree. */
 lam_spline_curve lam_spline_curve_elevate(lam_arena *arena, lam_spline_curve curve, int degree);
-/* See lam_bspline_reduce; deviation is in meters for polynomial curves, for rational ones in homogeneous space. */
-lam_spline_curve lam_spline_curve_reduce(lam_arena *arena, lam_spline_curve curve, int ends, double *deviation);
+/* See lam_bspline_reduce; deviation is in meters for polynomial curves, for rational ones in
+ * homogeneous space. */
+lam_spline_curve lam_spline_curve_reduce(lam_arena *arena, lam_spline_curve curve, int ends,
+                                         double *deviation);
 /* The part over [low, high] with clamped ends. A curve is split by taking two parts. */
-lam_spline_curve lam_spline_curve_part(lam_arena *arena, lam_spline_curve curve, double low, double high);
+lam_spline_curve lam_spline_curve_part(lam_arena *arena, lam_spline_curve curve, double low,
+                                       double high);
 /* The same curve, traveled backwards over the same domain. */
 lam_spline_curve lam_spline_curve_reverse(lam_arena *arena, lam_spline_curve curve);
 /* The same curve over [low, high]. */
-lam_spline_curve lam_spline_curve_move_domain(lam_arena *arena, lam_spline_curve curve, double low, double high);
+lam_spline_curve lam_spline_curve_move_domain(lam_arena *arena, lam_spline_curve curve, double low,
+                                              double high);
 /* The Bezier pieces, as curves of their own over their parts of the domain. Sets count. */
-const lam_spline_curve *lam_spline_curve_pieces(lam_arena *arena, lam_spline_curve curve, int *count);
+const lam_spline_curve *lam_spline_curve_pieces(lam_arena *arena, lam_spline_curve curve,
+                                                int *count);
 /* s x for a scalar spline s of the same domain: the curve of the points s(t) x(t). */
 lam_spline_curve lam_spline_curve_scale(lam_arena *arena, lam_bspline s, lam_spline_curve curve);
-/* The image under x -> frame.origin + x frame.axis[0] + y frame.axis[1] + z frame.axis[2]; axes need not be unit
- * vectors or at right angles. */
-lam_spline_curve lam_spline_curve_map(lam_arena *arena, lam_spline_curve curve, lam_frame frame);
+/* The image under x -> frame.origin + x frame.axis[0] + y frame.axis[1] + z frame.axis[2]; axes
+ * need not be unit vectors or at right angles. */
+lam_spline_curve lam_spline_curve_map(lam_arena *arena, lam_spline_curve curve, lam_pose frame);
 
 #endif

@@ -5,8 +5,10 @@ static lam_bspline net_of(lam_arena *arena, const lam_spline_curve *curve) {
   return lam_spline_curve_net(arena, curve, false);
 }
 
-lam_spline_curve lam_spline_curve_insert(lam_arena *arena, lam_spline_curve curve, double t, int multiplicity) {
-  return lam_spline_curve_from_net(arena, lam_bspline_insert(arena, net_of(arena, &curve), t, multiplicity));
+lam_spline_curve lam_spline_curve_insert(lam_arena *arena, lam_spline_curve curve, double t,
+                                         int multiplicity) {
+  return lam_spline_curve_from_net(
+      arena, lam_bspline_insert(arena, net_of(arena, &curve), t, multiplicity));
 }
 
 /* A homogeneous deviation d moves the points by at most d (1 + max |P|) / min w. */
@@ -20,7 +22,8 @@ static double homogeneous_tolerance(const lam_spline_curve *curve, double tolera
   return tolerance * least / (1 + far);
 }
 
-int lam_spline_curve_remove(lam_arena *arena, lam_spline_curve *curve, double t, int times, double tolerance) {
+int lam_spline_curve_remove(lam_arena *arena, lam_spline_curve *curve, double t, int times,
+                            double tolerance) {
   lam_bspline net = net_of(arena, curve);
   double left = homogeneous_tolerance(curve, tolerance), moved;
   int removed = 0;
@@ -33,54 +36,65 @@ int lam_spline_curve_remove(lam_arena *arena, lam_spline_curve *curve, double t,
 }
 
 lam_spline_curve lam_spline_curve_elevate(lam_arena *arena, lam_spline_curve curve, int degree) {
-  return lam_spline_curve_from_net(arena, lam_bspline_elevate(arena, net_of(arena, &curve), degree));
+  return lam_spline_curve_from_net(arena,
+                                   lam_bspline_elevate(arena, net_of(arena, &curve), degree));
 }
 
-lam_spline_curve lam_spline_curve_reduce(lam_arena *arena, lam_spline_curve curve, int ends, double *deviation) {
-  return lam_spline_curve_from_net(arena, lam_bspline_reduce(arena, net_of(arena, &curve), ends, deviation));
+lam_spline_curve lam_spline_curve_reduce(lam_arena *arena, lam_spline_curve curve, int ends,
+                                         double *deviation) {
+  return lam_spline_curve_from_net(
+      arena, lam_bspline_reduce(arena, net_of(arena, &curve), ends, deviation));
 }
 
-lam_spline_curve lam_spline_curve_part(lam_arena *arena, lam_spline_curve curve, double low, double high) {
-  return lam_spline_curve_from_net(arena, lam_bspline_part(arena, net_of(arena, &curve), low, high));
+lam_spline_curve lam_spline_curve_part(lam_arena *arena, lam_spline_curve curve, double low,
+                                       double high) {
+  return lam_spline_curve_from_net(arena,
+                                   lam_bspline_part(arena, net_of(arena, &curve), low, high));
 }
 
 lam_spline_curve lam_spline_curve_reverse(lam_arena *arena, lam_spline_curve curve) {
   return lam_spline_curve_from_net(arena, lam_bspline_reverse(arena, net_of(arena, &curve)));
 }
 
-lam_spline_curve lam_spline_curve_move_domain(lam_arena *arena, lam_spline_curve curve, double low, double high) {
+lam_spline_curve lam_spline_curve_move_domain(lam_arena *arena, lam_spline_curve curve, double low,
+                                              double high) {
   lam_bspline net = {curve.degree, curve.count, 0, curve.knots, NULL};
   curve.knots = lam_bspline_move_domain(arena, net, low, high).knots;
   return curve;
 }
 
-const lam_spline_curve *lam_spline_curve_pieces(lam_arena *arena, lam_spline_curve curve, int *count) {
+const lam_spline_curve *lam_spline_curve_pieces(lam_arena *arena, lam_spline_curve curve,
+                                                int *count) {
   lam_pieces pieces = lam_bspline_pieces(arena, net_of(arena, &curve), 0, NULL);
   lam_spline_curve *list = LAM_NEW(arena, lam_spline_curve, pieces.count);
   int p = pieces.degree, n = pieces.dimension;
   for (int k = 0; k < pieces.count; k++) {
     double *knots = LAM_NEW(arena, double, 2 * p + 2);
     for (int i = 0; i < 2 * p + 2; i++) knots[i] = pieces.breaks[i > p ? k + 1 : k];
-    list[k] =
-        lam_spline_curve_from_net(arena, (lam_bspline){p, p + 1, n, knots, pieces.values + (size_t)k * (p + 1) * n});
+    list[k] = lam_spline_curve_from_net(
+        arena, (lam_bspline){p, p + 1, n, knots, pieces.values + (size_t)k * (p + 1) * n});
   }
   *count = pieces.count;
   return list;
 }
 
-/* (w x) s over w: a rational curve needs its weights with s's degree and knots too, so they are multiplied by 1. */
+/* (w x) s over w: a rational curve needs its weights with s's degree and knots too, so they are
+ * multiplied by 1. */
 lam_spline_curve lam_spline_curve_scale(lam_arena *arena, lam_bspline s, lam_spline_curve curve) {
   lam_bspline net = net_of(arena, &curve), scaled = lam_bspline_product(arena, s, net);
   if (net.dimension == 3) return lam_spline_curve_from_net(arena, scaled);
-  double *ones = LAM_NEW(arena, double, s.count), *values = LAM_NEW(arena, double, scaled.count * 4);
+  double *ones = LAM_NEW(arena, double, s.count),
+         *values = LAM_NEW(arena, double, scaled.count * 4);
   for (int i = 0; i < s.count; i++) ones[i] = 1;
-  lam_bspline plain = lam_bspline_product(arena, (lam_bspline){s.degree, s.count, 1, s.knots, ones}, net);
-  for (int i = 0; i < 4 * scaled.count; i++) values[i] = i % 4 == 3 ? plain.values[i] : scaled.values[i];
+  lam_bspline plain =
+      lam_bspline_product(arena, (lam_bspline){s.degree, s.count, 1, s.knots, ones}, net);
+  for (int i = 0; i < 4 * scaled.count; i++)
+    values[i] = i % 4 == 3 ? plain.values[i] : scaled.values[i];
   scaled.values = values;
   return lam_spline_curve_from_net(arena, scaled);
 }
 
-lam_spline_curve lam_spline_curve_map(lam_arena *arena, lam_spline_curve curve, lam_frame frame) {
+lam_spline_curve lam_spline_curve_map(lam_arena *arena, lam_spline_curve curve, lam_pose frame) {
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, curve.count);
   for (int i = 0; i < curve.count; i++) {
     lam_vec3 p = curve.points[i], x = lam_along(frame.origin, p.x, frame.axis[0]);

@@ -37,7 +37,8 @@ void lam_hermite_to_bezier(const lam_hermite *piece, lam_vec3 b[4]) {
 }
 
 lam_hermite lam_hermite_from_bezier(const lam_vec3 b[4]) {
-  return (lam_hermite){{b[0], b[3]}, {lam_scale(lam_sub(b[1], b[0]), 3), lam_scale(lam_sub(b[3], b[2]), 3)}};
+  return (lam_hermite){{b[0], b[3]},
+                       {lam_scale(lam_sub(b[1], b[0]), 3), lam_scale(lam_sub(b[3], b[2]), 3)}};
 }
 
 /* t^i = sum_{j >= i} C(j,i) / C(n,i) B_j: divided by C(n,i), then summed as a binomial triangle. */
@@ -65,6 +66,7 @@ void lam_polynomial_through(int count, const double *x, const double *y, double 
   for (int i = 0; i < count; i++) a[i] = y[i];
   for (int k = 1; k < count; k++)
     for (int i = count - 1; i >= k; i--) a[i] = (a[i] - a[i - 1]) / (x[i] - x[i - k]);
-  for (int k = count - 2; k >= 0; k--) /* the nested form a_k + (x - x_k)(...) to powers, from inside out */
+  for (int k = count - 2; k >= 0;
+       k--) /* the nested form a_k + (x - x_k)(...) to powers, from inside out */
     for (int i = k; i < count - 1; i++) a[i] -= x[k] * a[i + 1];
 }

@@ -1,4 +1,5 @@
-/* Cubic pieces in their three forms: geometric (Hermite, Ferguson), algebraic and Bezier; all over [0,1]. */
+/* Cubic pieces in their three forms: geometric (Hermite, Ferguson), algebraic and Bezier; all over
+ * [0,1]. */
 #ifndef LAM_CURVE_HERMITE_H
 #define LAM_CURVE_HERMITE_H
 
@@ -21,12 +22,14 @@ lam_hermite lam_hermite_from_algebraic(const lam_vec3 a[4]);
 void lam_hermite_to_bezier(const lam_hermite *piece, lam_vec3 b[4]);
 lam_hermite lam_hermite_from_bezier(const lam_vec3 b[4]);
 
-/* Between powers and Bernstein polynomials of any degree over [0,1]; coefficients[0 .. degree], in place. */
+/* Between powers and Bernstein polynomials of any degree over [0,1]; coefficients[0 .. degree], in
+ * place. */
 void lam_bernstein_from_powers(int degree, lam_vec3 *coefficients);
 void lam_bernstein_to_powers(int degree, lam_vec3 *coefficients);
 
-/* The polynomial a[0] + a[1] x + ... + a[count - 1] x^(count - 1) through count points (x[i], y[i]): the line through
- * two, the parabola through three. Newton's divided differences. Precondition: all x differ. */
+/* The polynomial a[0] + a[1] x + ... + a[count - 1] x^(count - 1) through count points (x[i],
+ * y[i]): the line through two, the parabola through three. Newton's divided differences.
+ * Precondition: all x differ. */
 void lam_polynomial_through(int count, const double *x, const double *y, double *a);
 
 #endif

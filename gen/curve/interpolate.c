@@ -1,6 +1,6 @@
 #include "curve/interpolate.h"
-#include "curve/banded.h"
-#include "curve/basis.h"
+#include "curve/bspline/banded.h"
+#include "curve/bspline/basis.h"
 #include <string.h>
 
 const char *const lam_ends_names[] = {[LAM_ENDS_AVERAGE] = "average",
@@ -10,7 +10,8 @@ const char *const lam_ends_names[] = {[LAM_ENDS_AVERAGE] = "average",
                                       [LAM_ENDS_COUNT] = NULL};
 
 /* Clamped knots with these inner ones. */
-static double *clamped(lam_arena *arena, int degree, int count, const double *t, int inner, const double *knots) {
+static double *clamped(lam_arena *arena, int degree, int count, const double *t, int inner,
+                       const double *knots) {
   double *all = LAM_NEW(arena, double, inner + 2 * degree + 2);
   for (int i = 0; i <= degree; i++) {
     all[i] = t[0];
@@ -28,8 +29,8 @@ static double *averages(lam_arena *arena, int degree, int count, const double *t
   return clamped(arena, degree, count, t, inner, knots);
 }
 
-/* One row of the system: the derivative of this order at t. Rows of positions keep |i - j| <= degree, because t lies in
- * the support of function i (Schoenberg & Whitney). */
+/* One row of the system: the derivative of this order at t. Rows of positions keep |i - j| <=
+ * degree, because t lies in the support of function i (Schoenberg & Whitney). */
 static void set_row(lam_banded *a, const lam_bspline *f, int row, double t, int order) {
   double basis[3 * LAM_BASIS_MAX_VALUES];
   int span = lam_basis_span(f->degree, f->count, f->knots, t), width = f->degree + 1;
@@ -61,15 +62,18 @@ static lam_bspline with_derivatives(lam_arena *arena, int order, int count, cons
   return f;
 }
 
-lam_bspline lam_interpolate(lam_arena *arena, lam_ends ends, int degree, int count, const double *t, int dimension,
-                            const double *values, const double *slopes) {
-  if (ends == LAM_ENDS_NATURAL) return with_derivatives(arena, 2, count, t, dimension, values, NULL);
-  if (ends == LAM_ENDS_TANGENTS) return with_derivatives(arena, 1, count, t, dimension, values, slopes);
+lam_bspline lam_interpolate(lam_arena *arena, lam_ends ends, int degree, int count, const double *t,
+                            int dimension, const double *values, const double *slopes) {
+  if (ends == LAM_ENDS_NATURAL)
+    return with_derivatives(arena, 2, count, t, dimension, values, NULL);
+  if (ends == LAM_ENDS_TANGENTS)
+    return with_derivatives(arena, 1, count, t, dimension, values, slopes);
   if (ends == LAM_ENDS_NOT_A_KNOT) degree = 3;
   if (degree > count - 1) degree = count - 1;
   double *right = LAM_NEW(arena, double, count *dimension);
-  const double *knots = ends == LAM_ENDS_NOT_A_KNOT && count > 4 ? clamped(arena, 3, count, t, count - 4, t + 2)
-                                                                 : averages(arena, degree, count, t);
+  const double *knots = ends == LAM_ENDS_NOT_A_KNOT && count > 4
+                            ? clamped(arena, 3, count, t, count - 4, t + 2)
+                            : averages(arena, degree, count, t);
   lam_bspline f = {degree, count, dimension, knots, right};
   lam_banded a = lam_banded_make(arena, count, degree);
   for (int i = 0; i < count; i++) set_row(&a, &f, i, t[i], 0);
@@ -79,16 +83,19 @@ lam_bspline lam_interpolate(lam_arena *arena, lam_ends ends, int degree, int cou
   return f;
 }
 
-lam_spline_curve lam_interpolate_points(lam_arena *arena, lam_ends ends, int degree, lam_parameters parameters,
-                                        int count, const lam_vec3 *points) {
+lam_spline_curve lam_interpolate_points(lam_arena *arena, lam_ends ends, int degree,
+                                        lam_parameters parameters, int count,
+                                        const lam_vec3 *points) {
   double *t = LAM_NEW(arena, double, count);
   lam_vec3 *tangents = LAM_NEW(arena, lam_vec3, count);
   lam_parameters_choose(parameters, count, points, t);
   lam_bessel_tangents(count, t, points, tangents);
   lam_vec3 a = tangents[0], b = tangents[count - 1];
   const double slopes[] = {a.x, a.y, a.z, b.x, b.y, b.z};
-  lam_bspline data = lam_spline_curve_net(arena, &(lam_spline_curve){.count = count, .points = points}, false);
-  return lam_spline_curve_from_net(arena, lam_interpolate(arena, ends, degree, count, t, 3, data.values, slopes));
+  lam_bspline data =
+      lam_spline_curve_net(arena, &(lam_spline_curve){.count = count, .points = points}, false);
+  return lam_spline_curve_from_net(
+      arena, lam_interpolate(arena, ends, degree, count, t, 3, data.values, slopes));
 }
 
 void lam_bessel_tangents(int count, const double *t, const lam_vec3 *points, lam_vec3 *tangents) {
@@ -106,8 +113,8 @@ void lam_bessel_tangents(int count, const double *t, const lam_vec3 *points, lam
   tangents[count - 1] = lam_sub(lam_scale(before, 2), tangents[count - 2]);
 }
 
-lam_spline_curve lam_interpolate_local(lam_arena *arena, int count, const double *t, const lam_vec3 *points,
-                                       const lam_vec3 *tangents) {
+lam_spline_curve lam_interpolate_local(lam_arena *arena, int count, const double *t,
+                                       const lam_vec3 *points, const lam_vec3 *tangents) {
   int total = 2 * count, at = 0;
   double *knots = LAM_NEW(arena, double, total + 4);
   lam_vec3 *net = LAM_NEW(arena, lam_vec3, total), *slopes = LAM_NEW(arena, lam_vec3, count);

@@ -1,9 +1,10 @@
 #include "curve/least_squares.h"
-#include "curve/banded.h"
-#include "curve/basis.h"
+#include "curve/bspline/banded.h"
+#include "curve/bspline/basis.h"
 #include "curve/interpolate.h"
 
-/* Inner knot j at the place j n / (count - degree) of the list of parameters (Piegl & Tiller, eq. 9.68 and 9.69). */
+/* Inner knot j at the place j n / (count - degree) of the list of parameters (Piegl & Tiller,
+ * eq. 9.68 and 9.69). */
 double *lam_fit_knots(lam_arena *arena, int degree, int count, int n, const double *t) {
   double *knots = LAM_NEW(arena, double, count + degree + 1), step = (double)n / (count - degree);
   for (int i = 0; i <= degree; i++) {
@@ -18,7 +19,8 @@ double *lam_fit_knots(lam_arena *arena, int degree, int count, int n, const doub
   return knots;
 }
 
-static lam_fit_error measure(const lam_spline_curve *curve, int n, const double *t, const lam_vec3 *points) {
+static lam_fit_error measure(const lam_spline_curve *curve, int n, const double *t,
+                             const lam_vec3 *points) {
   lam_fit_error e = {0, 0};
   for (int i = 0; i < n; i++) {
     lam_vec3 x;
@@ -32,8 +34,9 @@ static lam_fit_error measure(const lam_spline_curve *curve, int n, const double 
 }
 
 /* Normal equations of the inner control points; the end points are the first and the last point. */
-bool lam_fit_curve(lam_arena *arena, int degree, int count, const double *knots, int n, const double *t,
-                   const lam_vec3 *points, lam_spline_curve *curve, lam_fit_error *error) {
+bool lam_fit_curve(lam_arena *arena, int degree, int count, const double *knots, int n,
+                   const double *t, const lam_vec3 *points, lam_spline_curve *curve,
+                   lam_fit_error *error) {
   if (!knots) knots = lam_fit_knots(arena, degree, count, n, t);
   lam_vec3 *net = LAM_NEW(arena, lam_vec3, count);
   lam_spline_curve fit = {degree, count, knots, net, NULL};
@@ -51,7 +54,8 @@ bool lam_fit_curve(lam_arena *arena, int degree, int count, const double *knots,
       int row = first + j - 1;
       if (row < 0 || row >= unknowns) continue;
       for (int k = 0; k <= degree; k++)
-        if (first + k > 0 && first + k < count - 1) *lam_banded_at(&a, row, first + k - 1) += basis[j] * basis[k];
+        if (first + k > 0 && first + k < count - 1)
+          *lam_banded_at(&a, row, first + k - 1) += basis[j] * basis[k];
       right[3 * row] += basis[j] * rest.x;
       right[3 * row + 1] += basis[j] * rest.y;
       right[3 * row + 2] += basis[j] * rest.z;
@@ -61,14 +65,16 @@ bool lam_fit_curve(lam_arena *arena, int degree, int count, const double *knots,
   lam_banded_solve(&a, 3, right);
   net[0] = points[0];
   net[count - 1] = points[n - 1];
-  for (int i = 0; i < unknowns; i++) net[i + 1] = lam_v3(right[3 * i], right[3 * i + 1], right[3 * i + 2]);
+  for (int i = 0; i < unknowns; i++)
+    net[i + 1] = lam_v3(right[3 * i], right[3 * i + 1], right[3 * i + 2]);
   *curve = fit;
   if (error) *error = measure(&fit, n, t, points);
   return true;
 }
 
-lam_spline_curve lam_fit_curve_within(lam_arena *arena, int degree, double tolerance, int n, const double *t,
-                                      const lam_vec3 *points, lam_fit_error *error) {
+lam_spline_curve lam_fit_curve_within(lam_arena *arena, int degree, double tolerance, int n,
+                                      const double *t, const lam_vec3 *points,
+                                      lam_fit_error *error) {
   lam_spline_curve curve;
   lam_fit_error e;
   for (int count = degree + 1; count < n; count++)
@@ -76,7 +82,8 @@ lam_spline_curve lam_fit_curve_within(lam_arena *arena, int degree, double toler
       if (error) *error = e;
       return curve;
     }
-  lam_bspline data = lam_spline_curve_net(arena, &(lam_spline_curve){.count = n, .points = points}, false);
+  lam_bspline data =
+      lam_spline_curve_net(arena, &(lam_spline_curve){.count = n, .points = points}, false);
   data = lam_interpolate(arena, LAM_ENDS_AVERAGE, degree, n, t, 3, data.values, NULL);
   curve = lam_spline_curve_from_net(arena, data);
   if (error) *error = measure(&curve, n, t, points);

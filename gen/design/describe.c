@@ -1,18 +1,14 @@
 #include "design/describe.h"
+#include "core/numbers.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const double pi = 3.14159265358979323846;
-
 const lam_unit_name lam_unit_names[] = {
-    {"mm", LAM_UNIT_LENGTH, 1000, 1},
-    {"cm", LAM_UNIT_LENGTH, 100, 1},
-    {"m", LAM_UNIT_LENGTH, 1, 1},
-    {"um", LAM_UNIT_LENGTH, 1e6, 1},
-    {"deg", LAM_UNIT_ANGLE, 180, 3.14159265358979323846},
-    {"rad", LAM_UNIT_ANGLE, 1, 1},
+    {"mm", LAM_UNIT_LENGTH, 1000, 1},     {"cm", LAM_UNIT_LENGTH, 100, 1},
+    {"m", LAM_UNIT_LENGTH, 1, 1},         {"um", LAM_UNIT_LENGTH, 1e6, 1},
+    {"deg", LAM_UNIT_ANGLE, 180, LAM_PI}, {"rad", LAM_UNIT_ANGLE, 1, 1},
     {NULL, LAM_UNIT_NONE, 1, 1},
 };
 
@@ -57,7 +53,7 @@ void lam_describe_quantity(lam_text *text, double value, lam_key_unit unit) {
   if (unit == LAM_UNIT_NONE || size == 0 || isnan(value)) {
     lam_describe_number(text, value);
   } else if (unit == LAM_UNIT_ANGLE) {
-    lam_describe_number(text, value / pi * 180);
+    lam_describe_number(text, value / LAM_PI * 180);
     lam_text_add(text, " deg");
   } else {
     add_in_unit(text, value, size >= 1 ? &meter : size >= 1e-4 ? &millimeter : &micrometer);
@@ -90,19 +86,23 @@ void lam_describe_names(lam_text *text, const char *const *names) {
 }
 
 static const char *words_of(const lam_key *key, bool many) {
-  const type_words *words = key->type == LAM_KEY_NUMBER ? &number_words[key->unit] : &other_words[key->type];
+  const type_words *words =
+      key->type == LAM_KEY_NUMBER ? &number_words[key->unit] : &other_words[key->type];
   return many ? words->many : words->one;
 }
 
 static void add_names_of(lam_text *text, const lam_key *key) {
   if (key->type == LAM_KEY_CHOICE) lam_describe_names(text, key->choices);
-  if (key->type == LAM_KEY_MAP) lam_describe_names(text, lam_key_names(text->arena, NULL, key->keys, NULL));
-  if (key->type == LAM_KEY_ROW) lam_describe_names(text, lam_registry_names(text->arena, key->rows));
+  if (key->type == LAM_KEY_MAP)
+    lam_describe_names(text, lam_key_names(text->arena, NULL, key->keys, NULL));
+  if (key->type == LAM_KEY_ROW)
+    lam_describe_names(text, lam_registry_names(text->arena, key->rows));
 }
 
 static void add_items(lam_text *text, const lam_key *key, bool many) {
   if (key->type == LAM_KEY_ROW) {
-    lam_text_printf(text, many ? "%s, each a map with a kind out of " : "a map with a kind out of ", key->rows->name);
+    lam_text_printf(text, many ? "%s, each a map with a kind out of " : "a map with a kind out of ",
+                    key->rows->name);
   } else {
     bool single = key->type == LAM_KEY_CHOICE && !many && key->choices[0] && !key->choices[1];
     if (!single) lam_text_add(text, words_of(key, many));
@@ -165,7 +165,8 @@ static int table_length(const lam_key *keys) {
   return count;
 }
 
-const char *const *lam_key_names(lam_arena *arena, const char *first, const lam_key *keys, const lam_key *more) {
+const char *const *lam_key_names(lam_arena *arena, const char *first, const lam_key *keys,
+                                 const lam_key *more) {
   int own = table_length(keys), others = table_length(more), count = 0;
   const char **names = LAM_NEW(arena, const char *, own + others + 2);
   if (first) names[count++] = first;

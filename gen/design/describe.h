@@ -6,8 +6,8 @@
 #include "core/text.h"
 #include "design/tree.h"
 
-/* A unit of the design language. A value in this unit is value / divide * multiply in stored units: dividing keeps
- * decimal numbers exact (25 mm is the double nearest to 0.025). */
+/* A unit of the design language. A value in this unit is value / divide * multiply in stored units:
+ * dividing keeps decimal numbers exact (25 mm is the double nearest to 0.025). */
 typedef struct lam_unit_name {
   const char *name;
   lam_key_unit unit;
@@ -19,10 +19,11 @@ extern const lam_unit_name lam_unit_names[]; /* ends with a row whose name is NU
 void lam_describe_number(lam_text *text, double value);
 /* Appends a stored value in a unit that reads well: 0.1 becomes "100 mm". */
 void lam_describe_quantity(lam_text *text, double value, lam_key_unit unit);
-/* Appends the range of a NUMBER or INTEGER key, such as "from 1 mm to 1 m" or "at least 2", nothing when there is no
- * limit. unit: in which to write the limits, or NULL for one that reads well. */
+/* Appends the range of a NUMBER or INTEGER key, such as "from 1 mm to 1 m" or "at least 2", nothing
+ * when there is no limit. unit: in which to write the limits, or NULL for one that reads well. */
 void lam_describe_range(lam_text *text, const lam_key *key, const lam_unit_name *unit);
-/* Appends what the key takes: "a length in m, cm, mm or um from 1 mm to 1 m", "a list of 2 whole numbers". */
+/* Appends what the key takes: "a length in m, cm, mm or um from 1 mm to 1 m", "a list of 2 whole
+ * numbers". */
 void lam_describe_key(lam_text *text, const lam_key *key);
 /* Appends what one item of the key takes, whatever its count. */
 void lam_describe_item(lam_text *text, const lam_key *key);
@@ -34,7 +35,8 @@ void lam_describe_node(lam_text *text, const lam_node *node);
 void lam_describe_guess(lam_text *text, const char *given, const char *const *names);
 
 /* NULL-terminated name lists, owned by arena. more may be NULL. */
-const char *const *lam_key_names(lam_arena *arena, const char *first, const lam_key *keys, const lam_key *more);
+const char *const *lam_key_names(lam_arena *arena, const char *first, const lam_key *keys,
+                                 const lam_key *more);
 const char *const *lam_registry_names(lam_arena *arena, const lam_registry *registry);
 
 #endif

@@ -1,5 +1,5 @@
-/* The design file: a YAML map read through key tables (core/key.h). Grammar: architecture in gen/DECISIONS.md; the
- * top-level table is in design/keys.c. */
+/* The design file: a YAML map read through key tables (core/key.h). Grammar: architecture in
+ * gen/DECISIONS.md; the top-level table is in design/keys.c. */
 #ifndef LAM_DESIGN_DESIGN_H
 #define LAM_DESIGN_DESIGN_H
 
@@ -8,10 +8,10 @@
 
 typedef struct lam_render_keys {
   const char *setting, *view;
-  const char *quality; /* one of lam_qualities */
-  int quality_index;   /* of quality, in lam_qualities */
-  lam_place place;     /* of the setting */
-  int size[2];         /* pixels: width, height */
+  const char *quality;   /* one of lam_qualities */
+  int quality_index;     /* of quality, in lam_qualities */
+  lam_location location; /* of the setting */
+  int size[2];           /* pixels: width, height */
 } lam_render_keys;
 
 typedef struct lam_sheet_keys {
@@ -25,13 +25,14 @@ typedef struct lam_texture_keys {
 
 typedef struct lam_design {
   int language;
-  const char *name;            /* letters, digits, - and _ */
-  const char *title;           /* the name when the design has none */
-  const char *source;          /* empty when the design has none */
-  lam_row surface;             /* common: lam_surface_place (surf/place.h); head is NULL when the design has none */
-  lam_row net;                 /* common: lam_net_common (net/kind.h); head is NULL when the design has none */
-  lam_list parts;              /* of lam_row, no common keys */
-  lam_list plots;              /* of const char *: measures to be drawn as color maps */
+  const char *name;   /* letters, digits, - and _ */
+  const char *title;  /* the name when the design has none */
+  const char *source; /* empty when the design has none */
+  lam_row surface;    /* common: lam_placement_keys (surf/place.h); head is NULL when the design has
+                         none */
+  lam_row net;    /* common: lam_net_common (net/kind.h); head is NULL when the design has none */
+  lam_list parts; /* of lam_row, no common keys */
+  lam_list plots; /* of const char *: measures to be drawn as color maps */
   bool has_render, has_sheets; /* whether the design gives them; they hold the defaults otherwise */
   bool has_texture;
   lam_texture_keys texture; /* meaningful when has_texture */
@@ -43,20 +44,23 @@ typedef struct lam_design {
 extern const lam_key lam_design_keys[];   /* the top-level table */
 extern const char *const lam_qualities[]; /* of pictures: NULL-terminated */
 
-/* One override of the command line: "net.grid=[40,40]" or "parts[0].height=80 mm". The value is YAML. */
+/* One override of the command line: "net.grid=[40,40]" or "parts[0].height=80 mm". The value is
+ * YAML. */
 typedef struct lam_override {
   const char *text;
 } lam_override;
 
-/* Parses a design from count bytes of YAML. path is used in messages (may be NULL). Every problem found is added to
- * errors; returns true when there was none. Text and lists are owned by arena. Overrides are applied before validation;
- * their messages have the place {"--set net.grid", 0, 0} instead of a file. */
+/* Parses a design from count bytes of YAML. path is used in messages (may be NULL). Every problem
+ * found is added to errors; returns true when there was none. Text and lists are owned by arena.
+ * Overrides are applied before validation; their messages have the place {"--set net.grid", 0, 0}
+ * instead of a file. */
 bool lam_design_parse(lam_arena *arena, const char *bytes, size_t count, const char *path,
-                      const lam_override *overrides, int override_count, lam_errors *errors, lam_design *design);
+                      const lam_override *overrides, int override_count, lam_errors *errors,
+                      lam_design *design);
 
-/* Fills a struct from a key table out of a YAML text: what lam_design_parse does at every level, for tests and for
- * other files in the design language. params: zeroed. */
-bool lam_keys_parse(lam_arena *arena, const lam_key *keys, const char *bytes, size_t count, const char *path,
-                    lam_errors *errors, void *params);
+/* Fills a struct from a key table out of a YAML text: what lam_design_parse does at every level,
+ * for tests and for other files in the design language. params: zeroed. */
+bool lam_keys_parse(lam_arena *arena, const lam_key *keys, const char *bytes, size_t count,
+                    const char *path, lam_errors *errors, void *params);
 
 #endif

@@ -3,18 +3,19 @@
 
 #include <string.h>
 
-typedef void (*fill_one)(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                         void *to);
+typedef void (*fill_one)(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                         const lam_trail *trail, void *to);
 
-/* The tables that one map is read with: a row's own keys and those that all rows of its registry accept. */
+/* The tables that one map is read with: a row's own keys and those that all rows of its registry
+ * accept. */
 typedef struct key_table {
   const lam_key *keys; /* may be NULL */
   char *params;
 } key_table;
 enum { table_count = 2 };
 
-static void fill_value(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                       char *params);
+static void fill_value(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                       const lam_trail *trail, char *params);
 
 /* ---- messages ---- */
 
@@ -27,10 +28,11 @@ static void add_trail(lam_text *text, const lam_trail *trail) {
     lam_text_printf(text, "%s%s", text->length ? "." : "", trail->name);
 }
 
-void lam_fill_complain(const lam_filler *filler, lam_place place, const lam_trail *trail, const lam_text *text) {
+void lam_fill_complain(const lam_filler *filler, lam_location location, const lam_trail *trail,
+                       const lam_text *text) {
   lam_text path = {.arena = filler->arena};
   add_trail(&path, trail);
-  lam_error_add(filler->errors, place, path.data, "%s", text->data);
+  lam_error_add(filler->errors, location, path.data, "%s", text->data);
 }
 
 /* ---- maps ---- */
@@ -44,13 +46,15 @@ static const lam_key *find_key(const lam_key *keys, const char *name) {
 
 static bool takes_list(const lam_key *key) { return key->name && key->count != 1; }
 
-/* The node itself when it is a map; a map whose first key has the value node when that is the short form of one; NULL
- * otherwise. first: the key that the short form fills. */
-static const lam_node *as_map(const lam_filler *filler, const lam_node *node, const lam_key *first) {
+/* The node itself when it is a map; a map whose first key has the value node when that is the short
+ * form of one; NULL otherwise. first: the key that the short form fills. */
+static const lam_node *as_map(const lam_filler *filler, const lam_node *node,
+                              const lam_key *first) {
   if (node->type == LAM_NODE_MAP) return node;
-  bool is_short = node->type == LAM_NODE_LIST ? first && takes_list(first) : !lam_node_is_empty(node);
+  bool is_short =
+      node->type == LAM_NODE_LIST ? first && takes_list(first) : !lam_node_is_empty(node);
   if (!is_short) return NULL;
-  lam_node *map = lam_node_new(filler->arena, LAM_NODE_MAP, node->place);
+  lam_node *map = lam_node_new(filler->arena, LAM_NODE_MAP, node->location);
   lam_node_append(filler->arena, map, NULL, (lam_node *)node);
   return map;
 }
@@ -71,27 +75,28 @@ static int index_of(const lam_node *map, const char *name, const char *first) {
   return unwritten;
 }
 
-static void complain_unknown(const lam_filler *filler, const lam_node *map, int i, const char *first,
-                             const char *const *names, const lam_trail *trail) {
+static void complain_unknown(const lam_filler *filler, const lam_node *map, int i,
+                             const char *first, const char *const *names, const lam_trail *trail) {
   lam_text text = {.arena = filler->arena};
   lam_text_add(&text, "no such key; expected one of ");
   lam_describe_names(&text, names);
   lam_describe_guess(&text, name_of(map, i, first), names);
-  lam_fill_complain(filler, map->keys[i] ? map->keys[i]->place : map->place, trail, &text);
+  lam_fill_complain(filler, map->keys[i] ? map->keys[i]->location : map->location, trail, &text);
 }
 
-static void complain_twice(const lam_filler *filler, const lam_node *map, int i, int earlier, const lam_trail *trail) {
+static void complain_twice(const lam_filler *filler, const lam_node *map, int i, int earlier,
+                           const lam_trail *trail) {
   lam_text text = {.arena = filler->arena};
   lam_text_add(&text, "given twice; expected once");
-  if (map->items[earlier]->place.line) {
-    lam_text_printf(&text, " (first given in line %d)", map->items[earlier]->place.line);
+  if (map->items[earlier]->location.line) {
+    lam_text_printf(&text, " (first given in line %d)", map->items[earlier]->location.line);
   }
-  lam_fill_complain(filler, map->keys[i]->place, trail, &text);
+  lam_fill_complain(filler, map->keys[i]->location, trail, &text);
 }
 
 /* What the design gives. */
-static void fill_given(const lam_filler *filler, const key_table *tables, const char *kind, const lam_node *map,
-                       const char *first, const lam_trail *trail) {
+static void fill_given(const lam_filler *filler, const key_table *tables, const char *kind,
+                       const lam_node *map, const char *first, const lam_trail *trail) {
   for (int i = 0; i < map->count; i++) {
     const char *name = name_of(map, i, first);
     lam_trail here = {trail, name, 0};
@@ -108,46 +113,50 @@ static void fill_given(const lam_filler *filler, const key_table *tables, const 
       if (key->given_offset) *(bool *)(tables[table].params + key->given_offset) = true;
       fill_value(filler, key, map->items[i], &here, tables[table].params);
     } else if (!kind || strcmp(name, kind) != 0) {
-      complain_unknown(filler, map, i, first, lam_key_names(filler->arena, kind, tables[0].keys, tables[1].keys),
-                       &here);
+      complain_unknown(filler, map, i, first,
+                       lam_key_names(filler->arena, kind, tables[0].keys, tables[1].keys), &here);
     }
   }
 }
 
-/* A default is a text in the design language. Plain words and numbers need no YAML reader. Nothing ("" or "~") leaves
- * the value zero: no text, no row, an empty list. */
-static lam_node *default_node(const lam_filler *filler, const char *text, lam_place place) {
-  static const char simple[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.+-_ ";
+/* A default is a text in the design language. Plain words and numbers need no YAML reader. Nothing
+ * ("" or "~") leaves the value zero: no text, no row, an empty list. */
+static lam_node *default_node(const lam_filler *filler, const char *text, lam_location location) {
+  static const char simple[] =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.+-_ ";
   if (text[strspn(text, simple)] || text[0] == ' ' || (text[0] == '-' && text[1] == ' ')) {
-    return lam_tree_read(filler->arena, text, strlen(text), place, true, filler->errors);
+    return lam_tree_read(filler->arena, text, strlen(text), location, true, filler->errors);
   }
-  lam_node *node = lam_node_new(filler->arena, LAM_NODE_SCALAR, place);
+  lam_node *node = lam_node_new(filler->arena, LAM_NODE_SCALAR, location);
   node->text = text;
   node->plain = true;
   return node;
 }
 
-static void fill_default(const lam_filler *filler, const lam_key *key, lam_place place, const lam_trail *trail,
-                         char *params) {
+static void fill_default(const lam_filler *filler, const lam_key *key, lam_location location,
+                         const lam_trail *trail, char *params) {
   if (!key->initial) {
     lam_text text = {.arena = filler->arena};
     lam_text_add(&text, "missing; expected ");
     lam_describe_key(&text, key);
-    lam_fill_complain(filler, place, trail, &text);
+    lam_fill_complain(filler, location, trail, &text);
   } else if (key->initial[0]) {
-    const lam_node *node = default_node(filler, key->initial, place);
+    const lam_node *node = default_node(filler, key->initial, location);
     if (node && !lam_node_is_empty(node)) fill_value(filler, key, node, trail, params);
   }
 }
 
-static void fill_tables(const lam_filler *filler, const key_table *tables, const char *kind, const lam_node *map,
-                        const lam_trail *trail) {
-  const char *first = kind ? kind : tables[0].keys && tables[0].keys->name ? tables[0].keys->name : "";
+static void fill_tables(const lam_filler *filler, const key_table *tables, const char *kind,
+                        const lam_node *map, const lam_trail *trail) {
+  const char *first = kind                                     ? kind
+                      : tables[0].keys && tables[0].keys->name ? tables[0].keys->name
+                                                               : "";
   fill_given(filler, tables, kind, map, first, trail);
   for (int table = 0; table < table_count; table++) {
     for (const lam_key *key = tables[table].keys; key && key->name; key++) {
       lam_trail here = {trail, key->name, 0};
-      if (index_of(map, key->name, first) < 0) fill_default(filler, key, map->place, &here, tables[table].params);
+      if (index_of(map, key->name, first) < 0)
+        fill_default(filler, key, map->location, &here, tables[table].params);
     }
   }
 }
@@ -156,11 +165,11 @@ static void complain_not_a_map(const lam_filler *filler, const lam_key *key, con
                                const lam_trail *trail) {
   lam_text text = lam_fill_given(filler, node);
   lam_describe_item(&text, key);
-  lam_fill_complain(filler, node->place, trail, &text);
+  lam_fill_complain(filler, node->location, trail, &text);
 }
 
-static void fill_map(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                     void *to) {
+static void fill_map(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                     const lam_trail *trail, void *to) {
   const lam_node *map = as_map(filler, node, key->keys);
   if (map)
     fill_tables(filler, (key_table[]){{key->keys, to}, {NULL, NULL}}, NULL, map, trail);
@@ -171,8 +180,8 @@ static void fill_map(const lam_filler *filler, const lam_key *key, const lam_nod
 /* ---- rows ---- */
 
 /* The registry row that the map's kind names, or NULL, with a message. */
-static const lam_row_head *find_row(const lam_filler *filler, const lam_key *key, const lam_node *map,
-                                    const lam_trail *trail) {
+static const lam_row_head *find_row(const lam_filler *filler, const lam_key *key,
+                                    const lam_node *map, const lam_trail *trail) {
   const char *const *names = lam_registry_names(filler->arena, key->rows);
   lam_trail here = {trail, "kind", 0};
   int at = index_of(map, "kind", "kind");
@@ -188,12 +197,12 @@ static const lam_row_head *find_row(const lam_filler *filler, const lam_key *key
   lam_text_printf(&text, "one of the %s ", key->rows->name);
   lam_describe_names(&text, names);
   if (is_word) lam_describe_guess(&text, kind->text, names);
-  lam_fill_complain(filler, kind ? kind->place : map->place, &here, &text);
+  lam_fill_complain(filler, kind ? kind->location : map->location, &here, &text);
   return NULL;
 }
 
-static void fill_row(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                     void *to) {
+static void fill_row(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                     const lam_trail *trail, void *to) {
   const lam_node *map = as_map(filler, node, NULL);
   if (!map) {
     complain_not_a_map(filler, key, node, trail);
@@ -203,10 +212,11 @@ static void fill_row(const lam_filler *filler, const lam_key *key, const lam_nod
   if (!head) return;
   lam_row *row = to;
   row->head = head;
-  row->place = map->place;
+  row->location = map->location;
   row->params = lam_arena_alloc(filler->arena, 1, head->params_size);
   row->common = lam_arena_alloc(filler->arena, 1, key->size);
-  fill_tables(filler, (key_table[]){{head->keys, row->params}, {key->keys, row->common}}, "kind", map, trail);
+  fill_tables(filler, (key_table[]){{head->keys, row->params}, {key->keys, row->common}}, "kind",
+              map, trail);
 }
 
 /* ---- values and lists ---- */
@@ -225,8 +235,8 @@ static const struct {
     [LAM_KEY_ROW] = {sizeof(lam_row), fill_row},
 };
 
-static void fill_items(const lam_filler *filler, const lam_key *key, const lam_node *list, const lam_trail *trail,
-                       char *to) {
+static void fill_items(const lam_filler *filler, const lam_key *key, const lam_node *list,
+                       const lam_trail *trail, char *to) {
   size_t size = types[key->type].size ? types[key->type].size : key->size;
   for (int i = 0; i < list->count; i++) {
     lam_trail here = {trail, NULL, i};
@@ -238,11 +248,11 @@ static void complain_length(const lam_filler *filler, const lam_key *key, const 
                             const lam_trail *trail) {
   lam_text text = lam_fill_given(filler, node);
   lam_describe_key(&text, key);
-  lam_fill_complain(filler, node->place, trail, &text);
+  lam_fill_complain(filler, node->location, trail, &text);
 }
 
-static void fill_value(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                       char *params) {
+static void fill_value(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                       const lam_trail *trail, char *params) {
   char *to = params + key->offset;
   bool is_list = node->type == LAM_NODE_LIST;
   if (key->count == 1) {
@@ -266,8 +276,8 @@ static void fill_value(const lam_filler *filler, const lam_key *key, const lam_n
   }
 }
 
-void lam_fill_keys(const lam_filler *filler, const lam_key *keys, const lam_node *node, const lam_trail *trail,
-                   void *params) {
+void lam_fill_keys(const lam_filler *filler, const lam_key *keys, const lam_node *node,
+                   const lam_trail *trail, void *params) {
   lam_key whole = {.type = LAM_KEY_MAP, .count = 1, .keys = keys};
   fill_map(filler, &whole, node, trail, params);
 }

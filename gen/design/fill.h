@@ -6,8 +6,8 @@
 #include "core/text.h"
 #include "design/tree.h"
 
-/* Where a value stands among the keys, for messages: a chain from the value up to the root, on the stack. A step is a
- * key (name) or an item of a list (name NULL, index). */
+/* Where a value stands among the keys, for messages: a chain from the value up to the root, on the
+ * stack. A step is a key (name) or an item of a list (name NULL, index). */
 typedef struct lam_trail {
   const struct lam_trail *parent;
   const char *name;
@@ -19,24 +19,26 @@ typedef struct lam_filler {
   lam_errors *errors;
 } lam_filler;
 
-/* Fills params from a map (or from the short form of one). Everything wrong is added to the filler's errors. */
-void lam_fill_keys(const lam_filler *filler, const lam_key *keys, const lam_node *node, const lam_trail *trail,
-                   void *params);
+/* Fills params from a map (or from the short form of one). Everything wrong is added to the
+ * filler's errors. */
+void lam_fill_keys(const lam_filler *filler, const lam_key *keys, const lam_node *node,
+                   const lam_trail *trail, void *params);
 
 /* Stores one scalar; types NUMBER, INTEGER, FLAG, CHOICE and TEXT (design/value.c). */
-void lam_fill_number(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                     void *to);
-void lam_fill_integer(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                      void *to);
-void lam_fill_flag(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                   void *to);
-void lam_fill_choice(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                     void *to);
-void lam_fill_text(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                   void *to);
+void lam_fill_number(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                     const lam_trail *trail, void *to);
+void lam_fill_integer(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                      const lam_trail *trail, void *to);
+void lam_fill_flag(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                   const lam_trail *trail, void *to);
+void lam_fill_choice(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                     const lam_trail *trail, void *to);
+void lam_fill_text(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                   const lam_trail *trail, void *to);
 
 /* Adds a message about the value at trail: text is used up. */
-void lam_fill_complain(const lam_filler *filler, lam_place place, const lam_trail *trail, const lam_text *text);
+void lam_fill_complain(const lam_filler *filler, lam_location location, const lam_trail *trail,
+                       const lam_text *text);
 /* The text "given <node>; expected " to go on with. */
 lam_text lam_fill_given(const lam_filler *filler, const lam_node *node);
 

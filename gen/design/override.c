@@ -14,12 +14,14 @@ typedef struct step {
 typedef struct override {
   lam_arena *arena;
   lam_errors *errors;
-  lam_place place; /* names the override: "--set net.grid" */
+  lam_location location; /* names the override: "--set net.grid" */
 } override;
 
 enum { max_steps = 16 };
 
-static void complain(const override *o, const char *text) { lam_error_add(o->errors, o->place, NULL, "%s", text); }
+static void complain(const override *o, const char *text) {
+  lam_error_add(o->errors, o->location, NULL, "%s", text);
+}
 
 /* Reads one step; *at moves behind it. False, with a message, when there is none. */
 static bool read_step(const override *o, const char **at, bool first, step *out) {
@@ -62,7 +64,7 @@ static int read_path(const override *o, const char *path, step *steps) {
 }
 
 static lam_node *empty_value(const override *o) {
-  lam_node *node = lam_node_new(o->arena, LAM_NODE_SCALAR, o->place);
+  lam_node *node = lam_node_new(o->arena, LAM_NODE_SCALAR, o->location);
   node->text = "";
   node->plain = true;
   return node;
@@ -77,22 +79,24 @@ static lam_node **slot_of_key(const override *o, lam_node *map, const char *name
     complain(o, "a map with more than 1000 keys");
     return NULL;
   }
-  lam_node *key = lam_node_new(o->arena, LAM_NODE_SCALAR, o->place);
+  lam_node *key = lam_node_new(o->arena, LAM_NODE_SCALAR, o->location);
   key->text = name;
   lam_node_append(o->arena, map, key, empty_value(o));
   return &map->items[map->count - 1];
 }
 
-/* The slot that a name leads to from *slot, which becomes a map when it is nothing yet or the short form of a map. */
+/* The slot that a name leads to from *slot, which becomes a map when it is nothing yet or the short
+ * form of a map. */
 static lam_node **enter_name(const override *o, lam_node **slot, const char *name) {
   lam_node *node = *slot;
   if (node && node->type == LAM_NODE_LIST) {
-    lam_error_add(o->errors, o->place, NULL, "%s is a key, but a list of %d stands here; expected an index such as [0]",
-                  name, node->count);
+    lam_error_add(o->errors, o->location, NULL,
+                  "%s is a key, but a list of %d stands here; expected an index such as [0]", name,
+                  node->count);
     return NULL;
   }
   if (!node || node->type != LAM_NODE_MAP) {
-    *slot = lam_node_new(o->arena, LAM_NODE_MAP, o->place);
+    *slot = lam_node_new(o->arena, LAM_NODE_MAP, o->location);
     if (node && !lam_node_is_empty(node)) lam_node_append(o->arena, *slot, NULL, node);
   }
   return slot_of_key(o, *slot, name);
@@ -104,9 +108,10 @@ static lam_node **enter_index(const override *o, lam_node **slot, int index) {
   int count = !node || lam_node_is_empty(node) ? 0 : node->type == LAM_NODE_LIST ? node->count : 1;
   if (index < count) return node->type == LAM_NODE_LIST ? &node->items[index] : slot;
   if (count == 0)
-    lam_error_add(o->errors, o->place, NULL, "index [%d] of an empty list", index);
+    lam_error_add(o->errors, o->location, NULL, "index [%d] of an empty list", index);
   else
-    lam_error_add(o->errors, o->place, NULL, "index [%d] of a list of %d; expected 0 to %d", index, count, count - 1);
+    lam_error_add(o->errors, o->location, NULL, "index [%d] of a list of %d; expected 0 to %d",
+                  index, count, count - 1);
   return NULL;
 }
 
@@ -115,7 +120,8 @@ static void set_value(const override *o, lam_node **root, const char *path, lam_
   int count = read_path(o, path, steps);
   lam_node **slot = count > 0 ? root : NULL;
   for (int i = 0; i < count && slot; i++) {
-    slot = steps[i].name ? enter_name(o, slot, steps[i].name) : enter_index(o, slot, steps[i].index);
+    slot =
+        steps[i].name ? enter_name(o, slot, steps[i].name) : enter_index(o, slot, steps[i].index);
   }
   if (slot) *slot = value;
 }
@@ -134,7 +140,7 @@ void lam_tree_override(lam_arena *arena, lam_node **root, const char *text, lam_
     return;
   }
   int before = errors->count;
-  lam_node *value = lam_tree_read(arena, equals + 1, strlen(equals + 1), o.place, true, errors);
+  lam_node *value = lam_tree_read(arena, equals + 1, strlen(equals + 1), o.location, true, errors);
   if (errors->count > before) return;
   set_value(&o, root, path, value ? value : empty_value(&o));
 }

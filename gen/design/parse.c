@@ -2,27 +2,30 @@
 #include "design/fill.h"
 #include "design/tree.h"
 #include "net/handles.h"
-#include "surf/place.h"
+#include "surf/placement.h"
 
 #include <string.h>
 
-/* The tree of a design with its overrides; NULL, with a message, when there is nothing to fill from. */
-static lam_node *read_tree(lam_arena *arena, const char *bytes, size_t count, lam_place origin,
+/* The tree of a design with its overrides; NULL, with a message, when there is nothing to fill
+ * from. */
+static lam_node *read_tree(lam_arena *arena, const char *bytes, size_t count, lam_location origin,
                            const lam_override *overrides, int override_count, lam_errors *errors) {
   int before = errors->count;
   lam_node *root = lam_tree_read(arena, bytes, count, origin, false, errors);
   if (!root && errors->count > before) return NULL;
-  for (int i = 0; i < override_count; i++) lam_tree_override(arena, &root, overrides[i].text, errors);
+  for (int i = 0; i < override_count; i++)
+    lam_tree_override(arena, &root, overrides[i].text, errors);
   if (root && !lam_node_is_empty(root)) return root;
   origin.line = origin.column = 1;
-  lam_error_add(errors, origin, NULL, "the file is empty; expected a map that begins with 'lamella: 1'");
+  lam_error_add(errors, origin, NULL,
+                "the file is empty; expected a map that begins with 'lamella: 1'");
   return NULL;
 }
 
-bool lam_keys_parse(lam_arena *arena, const lam_key *keys, const char *bytes, size_t count, const char *path,
-                    lam_errors *errors, void *params) {
+bool lam_keys_parse(lam_arena *arena, const lam_key *keys, const char *bytes, size_t count,
+                    const char *path, lam_errors *errors, void *params) {
   int before = errors->count;
-  lam_node *root = read_tree(arena, bytes, count, (lam_place){path, 0, 0}, NULL, 0, errors);
+  lam_node *root = read_tree(arena, bytes, count, (lam_location){path, 0, 0}, NULL, 0, errors);
   lam_filler filler = {arena, errors};
   if (root) lam_fill_keys(&filler, keys, root, NULL, params);
   return errors->count == before;
@@ -34,23 +37,27 @@ static const lam_node *find(const lam_node *map, const char *key) {
   return map && map->type == LAM_NODE_MAP ? lam_node_find(map, key) : NULL;
 }
 
-/* Names become parts of file names: nothing but letters, digits, - and _, not at the start -, not too long. */
+/* Names become parts of file names: nothing but letters, digits, - and _, not at the start -, not
+ * too long. */
 static void check_name(const lam_filler *filler, const lam_node *node, const lam_trail *trail) {
   static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
   enum { longest = 64 };
   if (!node || node->type != LAM_NODE_SCALAR || lam_node_is_empty(node)) return;
   size_t length = strlen(node->text);
-  if (length > 0 && length <= longest && node->text[0] != '-' && strspn(node->text, letters) == length) return;
+  if (length > 0 && length <= longest && node->text[0] != '-' &&
+      strspn(node->text, letters) == length)
+    return;
   lam_text text = lam_fill_given(filler, node);
   lam_text_printf(&text, "1 to %d letters, digits, - and _, with no - at the start", longest);
-  lam_fill_complain(filler, node->place, trail, &text);
+  lam_fill_complain(filler, node->location, trail, &text);
 }
 
-static void complain_alone(const lam_filler *filler, const lam_node *root, const char *key, const char *words) {
+static void complain_alone(const lam_filler *filler, const lam_node *root, const char *key,
+                           const char *words) {
   lam_trail trail = {NULL, key, 0};
   lam_text text = {.arena = filler->arena};
   lam_text_add(&text, words);
-  lam_fill_complain(filler, find(root, key)->place, &trail, &text);
+  lam_fill_complain(filler, find(root, key)->location, &trail, &text);
 }
 
 /* A stage needs the one before it. */
@@ -58,7 +65,8 @@ static void check_stages(const lam_filler *filler, const lam_node *root, const l
   const lam_net_common *net = design->net.common;
   const lam_net_kind *kind = (const lam_net_kind *)design->net.head;
   if (kind && !kind->start && !net->from.file && !net->from.design && !find(root, "surface")) {
-    complain_alone(filler, root, "net", "a net without a surface; expected surface: {...}, or from: {file: mesh.obj}");
+    complain_alone(filler, root, "net",
+                   "a net without a surface; expected surface: {...}, or from: {file: mesh.obj}");
   }
   if (design->parts.count > 0 && !find(root, "net")) {
     complain_alone(filler, root, "parts", "parts without a net; expected net: {...}");
@@ -69,14 +77,15 @@ static void check_stages(const lam_filler *filler, const lam_node *root, const l
 static bool has_message(const lam_errors *errors, const char *key) {
   size_t length = strlen(key);
   for (const lam_error *error = errors->first; error; error = error->next) {
-    if (error->key && strncmp(error->key, key, length) == 0 && strchr(".[", error->key[length])) return true;
+    if (error->key && strncmp(error->key, key, length) == 0 && strchr(".[", error->key[length]))
+      return true;
   }
   return false;
 }
 
-static lam_place place_of_setting(const lam_node *root) {
+static lam_location place_of_setting(const lam_node *root) {
   const lam_node *render = find(root, "render"), *setting = find(render, "setting");
-  return setting ? setting->place : render ? render->place : root->place;
+  return setting ? setting->location : render ? render->location : root->location;
 }
 
 static void check_root(const lam_filler *filler, const lam_node *root, const lam_design *design) {
@@ -87,29 +96,31 @@ static void check_root(const lam_filler *filler, const lam_node *root, const lam
   check_name(filler, find(find(root, "render"), "view"), &view);
   check_stages(filler, root, design);
   if (design->net.head && !has_message(filler->errors, "net"))
-    lam_handles_check(design->net.common, design->net.place, filler->errors);
+    lam_handles_check(design->net.common, design->net.location, filler->errors);
   if (design->surface.head && !has_message(filler->errors, "surface"))
-    lam_surface_place_check(design->surface.common, design->surface.place, filler->errors);
+    lam_placement_keys_check(design->surface.common, design->surface.location, filler->errors);
 }
 
 bool lam_design_parse(lam_arena *arena, const char *bytes, size_t count, const char *path,
-                      const lam_override *overrides, int override_count, lam_errors *errors, lam_design *design) {
+                      const lam_override *overrides, int override_count, lam_errors *errors,
+                      lam_design *design) {
   int before = errors->count;
   *design = (lam_design){.path = lam_arena_copy(arena, path)};
-  lam_node *root = read_tree(arena, bytes, count, (lam_place){design->path, 0, 0}, overrides, override_count, errors);
+  lam_node *root = read_tree(arena, bytes, count, (lam_location){design->path, 0, 0}, overrides,
+                             override_count, errors);
   if (!root) return false;
   lam_filler filler = {arena, errors};
   if (root->type != LAM_NODE_MAP) {
     lam_text text = lam_fill_given(&filler, root);
     lam_text_add(&text, "a map that begins with 'lamella: 1'");
-    lam_fill_complain(&filler, root->place, NULL, &text);
+    lam_fill_complain(&filler, root->location, NULL, &text);
     return false;
   }
   lam_fill_keys(&filler, lam_design_keys, root, NULL, design);
   check_root(&filler, root, design);
   design->language = 1;
   design->render.quality = lam_qualities[design->render.quality_index];
-  design->render.place = place_of_setting(root);
+  design->render.location = place_of_setting(root);
   if (!design->title) design->title = design->name;
   if (!design->source) design->source = "";
   return errors->count == before;

@@ -2,12 +2,12 @@
 #ifndef LAM_DESIGN_PIPELINE_H
 #define LAM_DESIGN_PIPELINE_H
 
-#include "design/build.h"
-#include "net/map.h"
-#include "net/measure.h"
-#include "net/net.h"
-#include "net/start.h"
-#include "surf/place.h"
+#include "design/pipeline_run.h"
+#include "mesh/net.h"
+#include "net/measures/measure.h"
+#include "net/measures/measure_map.h"
+#include "net/trace/start.h"
+#include "surf/placement.h"
 #include "surf/surface.h"
 
 typedef struct lam_pipeline {
@@ -21,8 +21,8 @@ typedef struct lam_pipeline {
   lam_net *net;
   lam_measuring measuring; /* of the net */
   lam_vec3 *normals;
-  lam_siting placed; /* of the surface */
-  int sampled;       /* vertices of the net as it was sampled */
+  lam_placement placed; /* of the surface */
+  int sampled;          /* vertices of the net as it was sampled */
   int stage_count;
   lam_stage stages[4]; /* surface, net, texture, sheets; parts bring their own */
   double since;
@@ -32,7 +32,8 @@ typedef struct lam_pipeline {
 lam_stage *lam_pipeline_stage(lam_pipeline *p, const char *name);
 void lam_pipeline_stage_end(const lam_pipeline *p, lam_stage *stage);
 
-/* The net: as it is sampled, traced, read or built, then refined and solved. True also when the design has none. */
+/* The net: as it is sampled, traced, read or built, then refined and solved. True also when the
+ * design has none. */
 bool lam_pipeline_net(lam_pipeline *p);
 
 #endif

@@ -1,16 +1,17 @@
 #include "design/tree.h"
 #include <string.h>
 
-lam_node *lam_node_new(lam_arena *arena, lam_node_type type, lam_place place) {
+lam_node *lam_node_new(lam_arena *arena, lam_node_type type, lam_location location) {
   lam_node *node = LAM_NEW(arena, lam_node, 1);
   node->type = type;
-  node->place = place;
+  node->location = location;
   return node;
 }
 
 static bool is_power_of_two(int n) { return (n & (n - 1)) == 0; }
 
-/* The arrays hold the next power of two of items, at least 1: they are full when count is 0 or a power of two. */
+/* The arrays hold the next power of two of items, at least 1: they are full when count is 0 or a
+ * power of two. */
 static lam_node **grown(lam_arena *arena, lam_node **old, int count) {
   if (!is_power_of_two(count)) return old;
   lam_node **larger = LAM_NEW(arena, lam_node *, count > 0 ? 2 * count : 1);

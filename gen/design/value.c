@@ -18,16 +18,17 @@ lam_text lam_fill_given(const lam_filler *filler, const lam_node *node) {
   return text;
 }
 
-static void complain_type(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail) {
+static void complain_type(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                          const lam_trail *trail) {
   lam_text text = lam_fill_given(filler, node);
   lam_describe_item(&text, key);
-  lam_fill_complain(filler, node->place, trail, &text);
+  lam_fill_complain(filler, node->location, trail, &text);
 }
 
 /* ---- numbers ---- */
 
-/* The number that text begins with: digits with an optional sign, point and exponent. *rest is what follows it; text
- * itself when there is no number. */
+/* The number that text begins with: digits with an optional sign, point and exponent. *rest is what
+ * follows it; text itself when there is no number. */
 static double read_number(lam_arena *arena, const char *text, const char **rest) {
   const char *at = text + (*text == '-' || *text == '+');
   size_t whole = strspn(at, "0123456789"), part = 0;
@@ -69,8 +70,8 @@ static const char *const *unit_names_of(lam_arena *arena, lam_key_unit unit) {
 }
 
 /* Something is wrong with the unit that follows the number; says what. */
-static void complain_unit(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                          const char *given) {
+static void complain_unit(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                          const lam_trail *trail, const char *given) {
   lam_text text = lam_fill_given(filler, node);
   if (key->unit == LAM_UNIT_NONE) {
     lam_describe_item(&text, key);
@@ -78,14 +79,16 @@ static void complain_unit(const lam_filler *filler, const lam_key *key, const la
   } else {
     lam_describe_item(&text, key);
     if (!*given)
-      lam_text_printf(&text, ", such as %s %s", node->text, key->unit == LAM_UNIT_LENGTH ? "mm" : "deg");
+      lam_text_printf(&text, ", such as %s %s", node->text,
+                      key->unit == LAM_UNIT_LENGTH ? "mm" : "deg");
     else if (!find_unit(given))
       lam_describe_guess(&text, given, unit_names_of(filler->arena, key->unit));
   }
-  lam_fill_complain(filler, node->place, trail, &text);
+  lam_fill_complain(filler, node->location, trail, &text);
 }
 
-/* True when value lies within the limits. A value that misses a limit by rounding alone becomes the limit. */
+/* True when value lies within the limits. A value that misses a limit by rounding alone becomes the
+ * limit. */
 static bool within(const lam_key *key, double *value) {
   if (!(key->min < key->max)) return true;
   if (*value < key->min && *value >= key->min - 1e-12 * fabs(key->min)) *value = key->min;
@@ -93,15 +96,15 @@ static bool within(const lam_key *key, double *value) {
   return *value >= key->min && *value <= key->max;
 }
 
-static void complain_range(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                           const lam_unit_name *unit) {
+static void complain_range(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                           const lam_trail *trail, const lam_unit_name *unit) {
   lam_text text = lam_fill_given(filler, node);
   lam_describe_range(&text, key, unit);
-  lam_fill_complain(filler, node->place, trail, &text);
+  lam_fill_complain(filler, node->location, trail, &text);
 }
 
-void lam_fill_number(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                     void *to) {
+void lam_fill_number(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                     const lam_trail *trail, void *to) {
   const char *rest = NULL;
   double given = node->type == LAM_NODE_SCALAR ? read_number(filler->arena, node->text, &rest) : 0;
   if (node->type != LAM_NODE_SCALAR || rest == node->text) {
@@ -119,7 +122,7 @@ void lam_fill_number(const lam_filler *filler, const lam_key *key, const lam_nod
   if (!isfinite(value)) {
     lam_text text = lam_fill_given(filler, node);
     lam_text_add(&text, "a number that fits (below 1e308)");
-    lam_fill_complain(filler, node->place, trail, &text);
+    lam_fill_complain(filler, node->location, trail, &text);
   } else if (within(key, &value)) {
     *(double *)to = value;
   } else {
@@ -127,11 +130,12 @@ void lam_fill_number(const lam_filler *filler, const lam_key *key, const lam_nod
   }
 }
 
-void lam_fill_integer(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                      void *to) {
+void lam_fill_integer(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                      const lam_trail *trail, void *to) {
   char *rest = NULL;
   errno = 0;
-  bool starts = node->type == LAM_NODE_SCALAR && node->text[0] && strchr("+-0123456789", node->text[0]);
+  bool starts =
+      node->type == LAM_NODE_SCALAR && node->text[0] && strchr("+-0123456789", node->text[0]);
   long value = starts ? strtol(node->text, &rest, 10) : 0;
   if (!starts || rest == node->text || *rest) {
     complain_type(filler, key, node, trail);
@@ -143,7 +147,7 @@ void lam_fill_integer(const lam_filler *filler, const lam_key *key, const lam_no
   } else if (errno || value < INT_MIN || value > INT_MAX) {
     lam_text text = lam_fill_given(filler, node);
     lam_text_printf(&text, "a whole number from %d to %d", INT_MIN, INT_MAX);
-    lam_fill_complain(filler, node->place, trail, &text);
+    lam_fill_complain(filler, node->location, trail, &text);
   } else {
     *(int *)to = (int)value;
   }
@@ -151,8 +155,8 @@ void lam_fill_integer(const lam_filler *filler, const lam_key *key, const lam_no
 
 /* ---- words ---- */
 
-void lam_fill_flag(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                   void *to) {
+void lam_fill_flag(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                   const lam_trail *trail, void *to) {
   static const char *const words[] = {"no", "yes", "false", "true", "off", "on", NULL};
   for (int i = 0; words[i] && node->type == LAM_NODE_SCALAR; i++) {
     if (strcasecmp(node->text, words[i]) == 0) {
@@ -163,8 +167,8 @@ void lam_fill_flag(const lam_filler *filler, const lam_key *key, const lam_node 
   complain_type(filler, key, node, trail);
 }
 
-void lam_fill_choice(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                     void *to) {
+void lam_fill_choice(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                     const lam_trail *trail, void *to) {
   for (int i = 0; key->choices[i] && node->type == LAM_NODE_SCALAR; i++) {
     if (strcmp(node->text, key->choices[i]) == 0) {
       *(int *)to = i;
@@ -173,11 +177,13 @@ void lam_fill_choice(const lam_filler *filler, const lam_key *key, const lam_nod
   }
   lam_text text = lam_fill_given(filler, node);
   lam_describe_item(&text, key);
-  if (node->type == LAM_NODE_SCALAR && key->choices[1]) lam_describe_guess(&text, node->text, key->choices);
-  lam_fill_complain(filler, node->place, trail, &text);
+  if (node->type == LAM_NODE_SCALAR && key->choices[1])
+    lam_describe_guess(&text, node->text, key->choices);
+  lam_fill_complain(filler, node->location, trail, &text);
 }
 
-/* True for texts without control characters (the C0 set, DEL, and the C1 set, which is C2 80..9F in UTF-8). */
+/* True for texts without control characters (the C0 set, DEL, and the C1 set, which is C2 80..9F in
+ * UTF-8). */
 static bool is_one_line(const char *text) {
   for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
     if (*c < ' ' || *c == 0x7F || (*c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0)) return false;
@@ -185,8 +191,8 @@ static bool is_one_line(const char *text) {
   return true;
 }
 
-void lam_fill_text(const lam_filler *filler, const lam_key *key, const lam_node *node, const lam_trail *trail,
-                   void *to) {
+void lam_fill_text(const lam_filler *filler, const lam_key *key, const lam_node *node,
+                   const lam_trail *trail, void *to) {
   enum { longest = 1000 };
   bool is_text = node->type == LAM_NODE_SCALAR && !lam_node_is_empty(node);
   if (!is_text) {
@@ -194,7 +200,7 @@ void lam_fill_text(const lam_filler *filler, const lam_key *key, const lam_node 
   } else if (!is_one_line(node->text) || strlen(node->text) > longest) {
     lam_text text = lam_fill_given(filler, node);
     lam_text_printf(&text, "one line of at most %d characters", longest);
-    lam_fill_complain(filler, node->place, trail, &text);
+    lam_fill_complain(filler, node->location, trail, &text);
   } else {
     *(const char **)to = node->text;
   }

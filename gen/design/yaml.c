@@ -3,7 +3,8 @@
 #include <string.h>
 #include <yaml.h>
 
-/* libyaml's memory; closed as soon as the tree stands, or with the arena when memory runs out on the way. */
+/* libyaml's memory; closed as soon as the tree stands, or with the arena when memory runs out on
+ * the way. */
 typedef struct yaml_source {
   yaml_parser_t parser;
   yaml_document_t document;
@@ -13,7 +14,7 @@ typedef struct yaml_source {
 typedef struct yaml_reader {
   lam_arena *arena;
   lam_errors *errors;
-  lam_place origin;
+  lam_location origin;
   bool fixed; /* every node has the place origin */
   int node_count;
   bool stopped; /* a limit was reached: said once */
@@ -27,9 +28,9 @@ static void close_source(void *handle) {
   source->document_open = source->parser_open = false;
 }
 
-static lam_place place_of(const yaml_reader *reader, yaml_mark_t mark) {
+static lam_location place_of(const yaml_reader *reader, yaml_mark_t mark) {
   if (reader->fixed) return reader->origin;
-  return (lam_place){reader->origin.file, (int)mark.line + 1, (int)mark.column + 1};
+  return (lam_location){reader->origin.file, (int)mark.line + 1, (int)mark.column + 1};
 }
 
 /* ---- syntax errors ---- */
@@ -37,15 +38,18 @@ static lam_place place_of(const yaml_reader *reader, yaml_mark_t mark) {
 /* libyaml's words on the left, ours on the right. */
 static const char *const plain_words[][2] = {
     {"mapping values are not allowed in this context",
-     "a ':' stands where a value goes on; put a text with ': ' in quotes, or check the indentation"},
+     "a ':' stands where a value goes on; put a text with ': ' in quotes, or check the "
+     "indentation"},
     {"found character that cannot start any token",
      "a tab, @, % or ` begins a value; indent with spaces, put such a text in quotes"},
-    {"found a tab character that violates indentation", "a tab in the indentation; indent with spaces"},
+    {"found a tab character that violates indentation",
+     "a tab in the indentation; indent with spaces"},
     {"did not find expected ',' or ']'", "a list is not closed; expected ',' or ']'"},
     {"did not find expected ',' or '}'", "a map is not closed; expected ',' or '}'"},
     {"could not find expected ':'", "a key without a ':'; expected 'key: value'"},
     {"did not find expected key", "expected a key at this indentation"},
-    {"did not find expected '-' indicator", "expected '- ' to go on with the list at this indentation"},
+    {"did not find expected '-' indicator",
+     "expected '- ' to go on with the list at this indentation"},
     {"did not find expected node content", "a value is missing"},
     {"found unexpected end of stream", "the file ends inside a text; the closing quote is missing"},
     {"found undefined alias", "an alias (*name) without its anchor (&name)"},
@@ -75,16 +79,19 @@ static yaml_mark_t mark_of_byte(const char *bytes, size_t count, size_t offset) 
   return mark;
 }
 
-static void report_syntax(const yaml_reader *reader, const yaml_parser_t *parser, const char *bytes, size_t count) {
+static void report_syntax(const yaml_reader *reader, const yaml_parser_t *parser, const char *bytes,
+                          size_t count) {
   if (parser->error == YAML_MEMORY_ERROR) lam_arena_exhausted(reader->arena);
   yaml_mark_t mark = parser->problem_mark;
   if (parser->error == YAML_READER_ERROR) mark = mark_of_byte(bytes, count, parser->problem_offset);
   const char *words = own_words(parser->problem);
   yaml_mark_t start = parser->context_mark;
-  bool has_start = parser->context && (strstr(parser->context, "flow") || strstr(parser->context, "quoted"));
+  bool has_start =
+      parser->context && (strstr(parser->context, "flow") || strstr(parser->context, "quoted"));
   if (has_start && !reader->fixed) { /* where the list, map or quoted text opens */
-    lam_error_add(reader->errors, place_of(reader, mark), NULL, "not valid YAML: %s (began at line %zu, column %zu)",
-                  words, start.line + 1, start.column + 1);
+    lam_error_add(reader->errors, place_of(reader, mark), NULL,
+                  "not valid YAML: %s (began at line %zu, column %zu)", words, start.line + 1,
+                  start.column + 1);
   } else {
     lam_error_add(reader->errors, place_of(reader, mark), NULL, "not valid YAML: %s", words);
   }
@@ -94,35 +101,39 @@ static void report_syntax(const yaml_reader *reader, const yaml_parser_t *parser
 
 static lam_node *read_node(yaml_reader *reader, int id, int depth);
 
-static lam_node *stop(yaml_reader *reader, lam_place place, const char *text) {
-  if (!reader->stopped) lam_error_add(reader->errors, place, NULL, "%s", text);
+static lam_node *stop(yaml_reader *reader, lam_location location, const char *text) {
+  if (!reader->stopped) lam_error_add(reader->errors, location, NULL, "%s", text);
   reader->stopped = true;
   return NULL;
 }
 
 static void read_list(yaml_reader *reader, const yaml_node_t *source, int depth, lam_node *node) {
-  for (yaml_node_item_t *item = source->data.sequence.items.start; item < source->data.sequence.items.top; item++) {
+  for (yaml_node_item_t *item = source->data.sequence.items.start;
+       item < source->data.sequence.items.top; item++) {
     lam_node *value = read_node(reader, *item, depth + 1);
     if (reader->stopped) return;
     if (value) lam_node_append(reader->arena, node, NULL, value);
   }
 }
 
-static void read_pair(yaml_reader *reader, const yaml_node_pair_t *pair, int depth, lam_node *node) {
+static void read_pair(yaml_reader *reader, const yaml_node_pair_t *pair, int depth,
+                      lam_node *node) {
   lam_node *key = read_node(reader, pair->key, depth + 1);
   lam_node *value = reader->stopped ? NULL : read_node(reader, pair->value, depth + 1);
   if (!key || !value) return;
   if (key->type != LAM_NODE_SCALAR || key->text[0] == '\0') {
-    lam_error_add(reader->errors, key->place, NULL, "a key that is not a word; expected 'key: value'");
+    lam_error_add(reader->errors, key->location, NULL,
+                  "a key that is not a word; expected 'key: value'");
   } else {
     lam_node_append(reader->arena, node, key, value);
   }
 }
 
 static void read_map(yaml_reader *reader, const yaml_node_t *source, int depth, lam_node *node) {
-  for (yaml_node_pair_t *pair = source->data.mapping.pairs.start; pair < source->data.mapping.pairs.top; pair++) {
+  for (yaml_node_pair_t *pair = source->data.mapping.pairs.start;
+       pair < source->data.mapping.pairs.top; pair++) {
     if (node->count == LAM_DESIGN_MAX_KEYS) {
-      stop(reader, node->place, "a map with more than 1000 keys");
+      stop(reader, node->location, "a map with more than 1000 keys");
       return;
     }
     read_pair(reader, pair, depth, node);
@@ -135,7 +146,7 @@ static void read_scalar(yaml_reader *reader, const yaml_node_t *source, lam_node
   node->plain = source->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
   node->text = lam_arena_copy(reader->arena, value);
   if (strlen(value) != source->data.scalar.length) {
-    lam_error_add(reader->errors, node->place, NULL, "a zero byte in a text");
+    lam_error_add(reader->errors, node->location, NULL, "a zero byte in a text");
   }
 }
 
@@ -147,25 +158,28 @@ static const char *default_tag(yaml_node_type_t type) {
 /* NULL when a limit is reached, or for what the design language leaves out; both are said. */
 static lam_node *read_node(yaml_reader *reader, int id, int depth) {
   const yaml_node_t *source = yaml_document_get_node(reader->document, id);
-  lam_place place = place_of(reader, source->start_mark);
-  if (depth > LAM_DESIGN_MAX_DEPTH) return stop(reader, place, "maps and lists are nested more than 32 deep");
-  if (++reader->node_count > LAM_DESIGN_MAX_NODES) return stop(reader, place, "more than 500000 values");
+  lam_location location = place_of(reader, source->start_mark);
+  if (depth > LAM_DESIGN_MAX_DEPTH)
+    return stop(reader, location, "maps and lists are nested more than 32 deep");
+  if (++reader->node_count > LAM_DESIGN_MAX_NODES)
+    return stop(reader, location, "more than 500000 values");
   if (source->tag && strcmp((const char *)source->tag, default_tag(source->type)) != 0) {
-    lam_error_add(reader->errors, place, NULL, "a YAML tag (!...); expected a value without a tag");
+    lam_error_add(reader->errors, location, NULL,
+                  "a YAML tag (!...); expected a value without a tag");
   }
   switch (source->type) {
   case YAML_SCALAR_NODE: {
-    lam_node *node = lam_node_new(reader->arena, LAM_NODE_SCALAR, place);
+    lam_node *node = lam_node_new(reader->arena, LAM_NODE_SCALAR, location);
     read_scalar(reader, source, node);
     return node;
   }
   case YAML_SEQUENCE_NODE: {
-    lam_node *node = lam_node_new(reader->arena, LAM_NODE_LIST, place);
+    lam_node *node = lam_node_new(reader->arena, LAM_NODE_LIST, location);
     read_list(reader, source, depth, node);
     return node;
   }
   case YAML_MAPPING_NODE: {
-    lam_node *node = lam_node_new(reader->arena, LAM_NODE_MAP, place);
+    lam_node *node = lam_node_new(reader->arena, LAM_NODE_MAP, location);
     read_map(reader, source, depth, node);
     return node;
   }
@@ -177,7 +191,8 @@ static lam_node *read_node(yaml_reader *reader, int id, int depth) {
 /* ---- documents ---- */
 
 /* False, with a message, when anything but the end follows the first document. */
-static bool at_end(const yaml_reader *reader, yaml_source *source, const char *bytes, size_t count) {
+static bool at_end(const yaml_reader *reader, yaml_source *source, const char *bytes,
+                   size_t count) {
   yaml_document_t next;
   if (!yaml_parser_load(&source->parser, &next)) {
     report_syntax(reader, &source->parser, bytes, count);
@@ -192,8 +207,8 @@ static bool at_end(const yaml_reader *reader, yaml_source *source, const char *b
   return !root;
 }
 
-lam_node *lam_tree_read(lam_arena *arena, const char *bytes, size_t count, lam_place origin, bool fixed,
-                        lam_errors *errors) {
+lam_node *lam_tree_read(lam_arena *arena, const char *bytes, size_t count, lam_location origin,
+                        bool fixed, lam_errors *errors) {
   yaml_reader reader = {.arena = arena, .errors = errors, .origin = origin, .fixed = fixed};
   if (count > LAM_DESIGN_MAX_BYTES) {
     lam_error_add(errors, origin, NULL, "%zu bytes; expected at most 4 MiB", count);

@@ -1,6 +1,6 @@
 #include "net/handles.h"
-#include "curve/basis.h"
-#include "net/sides.h"
+#include "curve/bspline/basis.h"
+#include "mesh/net_sides.h"
 
 #include <math.h>
 
@@ -27,15 +27,18 @@ const lam_key lam_handle_keys[] = {
      .initial = "u0",
      .choices = lam_side_names,
      .given_offset = offsetof(lam_handle, side_given),
-     .doc = "Or a whole side: u0 and u1 are where the lines of family 0 begin and end, v0 and v1 the same for family "
+     .doc = "Or a whole side: u0 and u1 are where the lines of family 0 begin and end, v0 and v1 "
+            "the same for family "
             "1."},
     {.name = "to",
      .type = LAM_KEY_NUMBER,
      .unit = LAM_UNIT_LENGTH,
      AT(goal),
      .initial = "[]",
-     .doc = "Where it has to be: x, y, z. For a side the control points of a B-spline, one after the other, from its "
-            "beginning to its end; its vertices come to the same shares of the curve's length that they have of the "
+     .doc = "Where it has to be: x, y, z. For a side the control points of a B-spline, one after "
+            "the other, from its "
+            "beginning to its end; its vertices come to the same shares of the curve's length that "
+            "they have of the "
             "side's."},
     {.name = "by",
      .type = LAM_KEY_NUMBER,
@@ -66,12 +69,14 @@ const lam_key lam_handle_keys[] = {
      AT(release),
      .count = 1,
      .initial = "no",
-     .doc = "The handle lets go at the end, and the net comes to rest where its constraints allow."},
+     .doc =
+         "The handle lets go at the end, and the net comes to rest where its constraints allow."},
     {0}};
 
 /* Made by a program, not by keys: `vertex` and `to` are meant. */
 static bool is_plain(const lam_handle *handle) {
-  return !handle->index.count && !handle->goal.count && !handle->at_given && !handle->side_given && !handle->by_given;
+  return !handle->index.count && !handle->goal.count && !handle->at_given && !handle->side_given &&
+         !handle->by_given;
 }
 
 static const char *problem_of(const lam_handle *handle) {
@@ -82,18 +87,21 @@ static const char *problem_of(const lam_handle *handle) {
   if (handle->goal.count && handle->by_given) return "both to and by";
   if (handle->by_given) return NULL;
   if (handle->side_given) {
-    if (handle->goal.count % 3 != 0 || handle->goal.count < 6) return "to without x, y, z of at least two points";
+    if (handle->goal.count % 3 != 0 || handle->goal.count < 6)
+      return "to without x, y, z of at least two points";
   } else if (handle->goal.count != 3)
     return "to without the three numbers x, y, z";
   return NULL;
 }
 
-void lam_handles_check(const lam_net_common *common, lam_place place, lam_errors *errors) {
+void lam_handles_check(const lam_net_common *common, lam_location location, lam_errors *errors) {
   for (int h = 0; h < common->handles.count; h++) {
     const char *problem = problem_of((const lam_handle *)common->handles.items + h);
     if (problem)
-      lam_error_add(errors, place, lam_arena_printf(errors->arena, "net.handles[%d]", h),
-                    "given %s; expected one of vertex: [i, j], at: [x, y, z] and side: u0, with to or by", problem);
+      lam_error_add(
+          errors, location, lam_arena_printf(errors->arena, "net.handles[%d]", h),
+          "given %s; expected one of vertex: [i, j], at: [x, y, z] and side: u0, with to or by",
+          problem);
   }
 }
 
@@ -104,7 +112,7 @@ typedef struct resolver {
   const lam_net_common *common;
   const lam_net *net;
   const lam_vec3 *positions;
-  lam_place place;
+  lam_location location;
   lam_errors *errors;
   int count, capacity;
   lam_handle *handles;
@@ -115,7 +123,8 @@ static int closed_grid_vertex(const resolver *r, int i, int j) {
   const lam_net *net = r->net;
   const int *grid = r->common->grid;
   lam_polyline line;
-  if (r->common->from.file || r->common->from.design || (net->loop_count && net->loop_count != 2)) return -1;
+  if (r->common->from.file || r->common->from.design || (net->loop_count && net->loop_count != 2))
+    return -1;
   bool along_u = net->loop_count && lam_net_side(r->arena, net, LAM_SIDE_V0, &line);
   bool along_v = net->loop_count && lam_net_side(r->arena, net, LAM_SIDE_U0, &line);
   if (net->loop_count && !along_u && !along_v) return -1;
@@ -140,15 +149,16 @@ static int find_vertex(const resolver *r, const lam_handle *handle) {
     v = lam_net_grid_vertex(r->arena, r->net, i, index[1]);
     if (v < 0) v = closed_grid_vertex(r, i, index[1]);
     if (v < 0) {
-      lam_error_add(r->errors, r->place, "net.handles",
-                    "vertex [%d, %d] does not exist; expected a position on the grid, or an index from 0 to %d", i,
-                    index[1], n - 1);
+      lam_error_add(r->errors, r->location, "net.handles",
+                    "vertex [%d, %d] does not exist; expected a position on the grid, or an index "
+                    "from 0 to %d",
+                    i, index[1], n - 1);
       return -1;
     }
   }
   if (v >= 0 && v < n) return v;
-  lam_error_add(r->errors, r->place, "net.handles", "vertex %d does not exist; expected an index from 0 to %d", v,
-                n - 1);
+  lam_error_add(r->errors, r->location, "net.handles",
+                "vertex %d does not exist; expected an index from 0 to %d", v, n - 1);
   return -1;
 }
 
@@ -161,11 +171,14 @@ static void append(resolver *r, const lam_handle *handle, int vertex, lam_vec3 t
     r->capacity = room;
   }
   if (r->common->boundary == LAM_BOUNDARY_FIXED && r->net->boundary[vertex])
-    lam_error_add(r->errors, r->place, "net.handles",
-                  "vertex %d lies on the boundary, which is fixed; expected boundary: free, or an inner vertex",
+    lam_error_add(r->errors, r->location, "net.handles",
+                  "vertex %d lies on the boundary, which is fixed; expected boundary: free, or an "
+                  "inner vertex",
                   vertex);
-  r->handles[r->count++] = (lam_handle){
-      .vertex = {vertex, -1}, .to = {to.x, to.y, to.z}, .steps = handle->steps, .release = handle->release};
+  r->handles[r->count++] = (lam_handle){.vertex = {vertex, -1},
+                                        .to = {to.x, to.y, to.z},
+                                        .steps = handle->steps,
+                                        .release = handle->release};
 }
 
 /* ---- sides ---- */
@@ -192,14 +205,15 @@ static lam_vec3 curve_point(const curve *c, double t) {
 }
 
 static curve make_curve(lam_arena *arena, const lam_handle *handle) {
-  curve c = {
-      .count = handle->goal.count / 3, .points = handle->goal.items, .length = LAM_NEW(arena, double, samples + 1)};
+  curve c = {.count = handle->goal.count / 3,
+             .points = handle->goal.items,
+             .length = LAM_NEW(arena, double, samples + 1)};
   c.degree = handle->degree < c.count ? handle->degree : c.count - 1;
   c.knots = LAM_NEW(arena, double, c.count + c.degree + 1);
   lam_knots_clamped(c.degree, c.count, c.knots);
   for (int k = 1; k <= samples; k++)
-    c.length[k] = c.length[k - 1] +
-                  lam_distance(curve_point(&c, (double)(k - 1) / samples), curve_point(&c, (double)k / samples));
+    c.length[k] = c.length[k - 1] + lam_distance(curve_point(&c, (double)(k - 1) / samples),
+                                                 curve_point(&c, (double)k / samples));
   return c;
 }
 
@@ -208,7 +222,8 @@ static lam_vec3 curve_at_share(const curve *c, double share) {
   double wanted = share * c->length[samples];
   int k = 1;
   while (k < samples && c->length[k] < wanted) k++;
-  double piece = c->length[k] - c->length[k - 1], part = piece > 0 ? (wanted - c->length[k - 1]) / piece : 0;
+  double piece = c->length[k] - c->length[k - 1],
+         part = piece > 0 ? (wanted - c->length[k - 1]) / piece : 0;
   return curve_point(c, fmin(fmax((k - 1 + part) / samples, 0), 1));
 }
 
@@ -216,13 +231,15 @@ static void resolve_side(resolver *r, const lam_handle *handle) {
   lam_polyline line;
   const char *name = lam_side_names[handle->side];
   if (!lam_net_side(r->arena, r->net, (lam_side)handle->side, &line)) {
-    lam_error_add(r->errors, r->place, "net.handles",
-                  "the net has no side %s; expected a net with four corners, or a tube with its two rims", name);
+    lam_error_add(
+        r->errors, r->location, "net.handles",
+        "the net has no side %s; expected a net with four corners, or a tube with its two rims",
+        name);
     return;
   }
   if (line.closed && handle->goal.count) {
-    lam_error_add(r->errors, r->place, "net.handles", "side %s is closed and has no beginning for a curve; expected by",
-                  name);
+    lam_error_add(r->errors, r->location, "net.handles",
+                  "side %s is closed and has no beginning for a curve; expected by", name);
     return;
   }
   double total = 0, before = 0;
@@ -231,16 +248,23 @@ static void resolve_side(resolver *r, const lam_handle *handle) {
   curve c = {0};
   if (handle->goal.count) c = make_curve(r->arena, handle);
   for (int k = 0; k < line.count; k++) {
-    lam_vec3 x = r->positions[line.vertices[k]], by = lam_v3(handle->by[0], handle->by[1], handle->by[2]);
+    lam_vec3 x = r->positions[line.vertices[k]],
+             by = lam_v3(handle->by[0], handle->by[1], handle->by[2]);
     if (k) before += lam_distance(r->positions[line.vertices[k - 1]], x);
     append(r, handle, line.vertices[k],
-           handle->goal.count ? curve_at_share(&c, total > 0 ? before / total : 0) : lam_add(x, by));
+           handle->goal.count ? curve_at_share(&c, total > 0 ? before / total : 0)
+                              : lam_add(x, by));
   }
 }
 
 lam_list lam_handles_resolve(lam_arena *arena, const lam_net_common *common, const lam_net *net,
-                             const lam_vec3 *positions, lam_place place, lam_errors *errors) {
-  resolver r = {.arena = arena, .common = common, .net = net, .positions = positions, .place = place, .errors = errors};
+                             const lam_vec3 *positions, lam_location location, lam_errors *errors) {
+  resolver r = {.arena = arena,
+                .common = common,
+                .net = net,
+                .positions = positions,
+                .location = location,
+                .errors = errors};
   for (int h = 0; h < common->handles.count; h++) {
     const lam_handle *handle = (const lam_handle *)common->handles.items + h;
     if (handle->side_given) {
@@ -251,7 +275,8 @@ lam_list lam_handles_resolve(lam_arena *arena, const lam_net_common *common, con
     if (v < 0) continue;
     const double *to = is_plain(handle) ? handle->to : handle->goal.items;
     lam_vec3 by = lam_v3(handle->by[0], handle->by[1], handle->by[2]);
-    append(&r, handle, v, handle->by_given ? lam_add(positions[v], by) : lam_v3(to[0], to[1], to[2]));
+    append(&r, handle, v,
+           handle->by_given ? lam_add(positions[v], by) : lam_v3(to[0], to[1], to[2]));
   }
   return (lam_list){r.count, r.handles};
 }

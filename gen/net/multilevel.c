@@ -1,11 +1,11 @@
 #include "net/multilevel.h"
-#include "net/coarsen.h"
+#include "mesh/coarsen.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* A fine vertex and the coarse vertices between which it lies, in order: one, the two ends of an edge, or the four
- * corners of a face. */
+/* A fine vertex and the coarse vertices between which it lies, in order: one, the two ends of an
+ * edge, or the four corners of a face. */
 typedef struct cell {
   int vertex;
   int corner[4]; /* -1: fewer */
@@ -13,7 +13,8 @@ typedef struct cell {
 
 static int by_number(const void *a, const void *b) { return *(const int *)a - *(const int *)b; }
 static int by_corners(const void *a, const void *b) {
-  return memcmp(((const cell *)a)->corner, ((const cell *)b)->corner, sizeof((const cell *)a)->corner);
+  return memcmp(((const cell *)a)->corner, ((const cell *)b)->corner,
+                sizeof((const cell *)a)->corner);
 }
 
 static cell cell_of(int vertex, const int *corners, int count) {
@@ -36,12 +37,15 @@ static int find(const cell *cells, int count, const int *corners, int corner_cou
 bool lam_level_make(lam_arena *arena, const lam_net *fine, int least_faces, lam_level *level) {
   lam_coarse coarse;
   int n = fine->mesh.vertex_count;
-  if (fine->mesh.face_count < 4 * least_faces || lam_net_coarsen(arena, fine, &coarse)) return false;
-  lam_errors quiet = {.arena = arena}; /* a closed net of few cells may have no coarse net: that is no error */
-  if (!lam_net_build(arena, &coarse.mesh, (lam_place){0}, &quiet, &level->net)) return false;
+  if (fine->mesh.face_count < 4 * least_faces || lam_net_coarsen(arena, fine, &coarse))
+    return false;
+  lam_errors quiet = {
+      .arena = arena}; /* a closed net of few cells may have no coarse net: that is no error */
+  if (!lam_net_build(arena, &coarse.mesh, (lam_location){0}, &quiet, &level->net)) return false;
   const lam_net *net = &level->net;
   int vertices = coarse.mesh.vertex_count;
-  if (vertices + net->edge_count + coarse.mesh.face_count != n) return false; /* an odd number of cells somewhere */
+  if (vertices + net->edge_count + coarse.mesh.face_count != n)
+    return false; /* an odd number of cells somewhere */
   cell *cells = LAM_NEW(arena, cell, n);
   for (int v = 0; v < n; v++) cells[v] = cell_of(v, coarse.parents[v], 4);
   qsort(cells, (size_t)n, sizeof *cells, by_corners);

@@ -2,19 +2,21 @@
 #ifndef LAM_NET_MULTILEVEL_H
 #define LAM_NET_MULTILEVEL_H
 
-#include "net/net.h"
+#include "mesh/net.h"
 
 typedef struct lam_level {
-  lam_net net;        /* every other line of the fine net, its vertices at their places there */
-  int *fine;          /* per vertex of lam_net_four_point(net): the vertex of the fine net that it stands for */
+  lam_net net; /* every other line of the fine net, its vertices at their places there */
+  int *fine; /* per vertex of lam_net_four_point(net): the vertex of the fine net that it stands for
+              */
   const int *nearest; /* per fine vertex: a coarse vertex that it is, or is next to */
 } lam_level;
 
-/* The net that fine refines by halving every edge, whatever its topology. False when there is none (an odd number of
- * cells across, irregular vertices an odd number of edges apart, fewer than least_faces faces left); level is not
- * defined then. Owned by arena. */
+/* The net that fine refines by halving every edge, whatever its topology. False when there is none
+ * (an odd number of cells across, irregular vertices an odd number of edges apart, fewer than
+ * least_faces faces left); level is not defined then. Owned by arena. */
 bool lam_level_make(lam_arena *arena, const lam_net *fine, int least_faces, lam_level *level);
-/* Positions of the fine vertices from those of the level's net, by the interpolating 4-point rule. */
+/* Positions of the fine vertices from those of the level's net, by the interpolating 4-point rule.
+ */
 void lam_level_refine(lam_arena *arena, const lam_level *level, lam_vec3 *positions);
 
 #endif

@@ -2,14 +2,14 @@
 #ifndef LAM_NET_OPTIMIZE_H
 #define LAM_NET_OPTIMIZE_H
 
-#include "net/kind.h"
+#include "net/net_kind.h"
 
 typedef struct lam_net_job {
   const lam_net_kind *kind;
   const void *params;
   const lam_net_common *common;
   const lam_trimesh *reference; /* meters; NULL: none */
-  lam_place place;
+  lam_location location;
   const lam_progress *progress;
 } lam_net_job;
 
@@ -28,14 +28,14 @@ typedef struct lam_net_result {
   double drift;                  /* largest displacement from the start, in mean edges */
 } lam_net_result;
 
-/* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go to errors; false
- * then. */
+/* Solves for net->mesh.vertices in place. Errors (a handle on a vertex that is not there, ...) go
+ * to errors; false then. */
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result);
 
-/* Measures a solved net (meters) by its kind's measures, those of the reference and those that the design asks for, and
- * keeps what they were measured with. start: positions before the solver. */
-void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_net *net, const lam_vec3 *start,
-                            lam_net_result *result);
+/* Measures a solved net (meters) by its kind's measures, those of the reference and those that the
+ * design asks for, and keeps what they were measured with. start: positions before the solver. */
+void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_net *net,
+                            const lam_vec3 *start, lam_net_result *result);
 
 #endif

@@ -27,14 +27,15 @@ static const char *const *measure_names(lam_arena *arena, const lam_net_job *job
   return names;
 }
 
-void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_net *net, const lam_vec3 *start,
-                            lam_net_result *result) {
+void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_net *net,
+                            const lam_vec3 *start, lam_net_result *result) {
   lam_measuring *in = &result->measuring;
   *in = lam_measuring_of(arena, net, net->mesh.vertices);
   in->start = start;
   double target = job->kind->target_angle ? job->kind->target_angle(job->params) : in->target_angle;
   if (!isnan(target)) in->target_angle = target;
-  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL; /* the solver's own is not in meters */
+  lam_tree *tree =
+      job->reference ? lam_tree_new(job->reference) : NULL; /* the solver's own is not in meters */
   if (tree) {
     lam_arena_defer(arena, lam_tree_free, tree);
     in->reference = tree;

@@ -5,16 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The pattern is found on nodes. Column node J of the lower triangle holds its diagonal block first and then the blocks
- * of the nodes I > J that share an element with it. The entries of block (I, J) in scalar column (J, c) start at
- *   column_start[J0 + c] + (size_J - c) + before(I, J),   the diagonal block's at column_start[J0 + c],
- * so that one integer per node pair of an element, before(I, J), is all that the scatter needs. */
+/* The pattern is found on nodes. Column node J of the lower triangle holds its diagonal block first
+ * and then the blocks of the nodes I > J that share an element with it. The entries of block (I, J)
+ * in scalar column (J, c) start at column_start[J0 + c] + (size_J - c) + before(I, J),   the
+ * diagonal block's at column_start[J0 + c], so that one integer per node pair of an element,
+ * before(I, J), is all that the scatter needs. */
 typedef struct block_map {
-  int columns;      /* unknowns of an element */
-  int *slot;        /* per element and pair a >= b of its nodes: before(I, J), or -1 when either is fixed */
+  int columns; /* unknowns of an element */
+  int *
+      slot; /* per element and pair a >= b of its nodes: before(I, J), or -1 when either is fixed */
   double *constant; /* linear blocks: J'J of the whole block at weight 1; NULL otherwise */
-  int members; /* blocks from this one on that share their elements and are scattered together; 0: in an earlier one's
-                  group */
+  int members; /* blocks from this one on that share their elements and are scattered together; 0:
+                  in an earlier one's group */
   int rows;    /* residuals of an element in the whole group */
 } block_map;
 
@@ -145,7 +147,8 @@ static void find_columns(lam_arena *arena, lam_system *system, const pattern *p,
       int *row = system->row + system->column_start[first + c];
       for (int r = c; r < size; r++) *row++ = first + r;
       for (int i = p->start[v]; i < p->start[v + 1]; i++)
-        for (int r = 0; r < problem->size[p->neighbor[i]]; r++) *row++ = system->column_of_node[p->neighbor[i]] + r;
+        for (int r = 0; r < problem->size[p->neighbor[i]]; r++)
+          *row++ = system->column_of_node[p->neighbor[i]] + r;
     }
   }
 }
@@ -169,7 +172,8 @@ static void find_groups(lam_system *system) {
   }
 }
 
-static void find_map(lam_arena *arena, lam_system *system, const pattern *p, const int *prefix, int b) {
+static void find_map(lam_arena *arena, lam_system *system, const pattern *p, const int *prefix,
+                     int b) {
   const lam_problem *problem = system->problem;
   const lam_block *block = &problem->blocks[b];
   block_map *map = &system->maps[b];
@@ -194,7 +198,8 @@ static void find_map(lam_arena *arena, lam_system *system, const pattern *p, con
 }
 
 /* block[3 c + r] = sum_k J[k][row_at + r] J[k][column_at + c]: nearly all nodes are vertices. */
-static void product_3x3(int rows, int n, const double *J, int row_at, int column_at, double block[9]) {
+static void product_3x3(int rows, int n, const double *J, int row_at, int column_at,
+                        double block[9]) {
   for (int i = 0; i < 9; i++) block[i] = 0;
   for (int k = 0; k < rows; k++) {
     const double *a = J + k * n + row_at, *b = J + k * n + column_at;
@@ -204,8 +209,8 @@ static void product_3x3(int rows, int n, const double *J, int row_at, int column
 }
 
 /* The block of a pair of nodes, any sizes: block[row_size c + r]. */
-static void product(int rows, int n, const double *J, int row_at, int row_size, int column_at, int column_size,
-                    double *block) {
+static void product(int rows, int n, const double *J, int row_at, int row_size, int column_at,
+                    int column_size, double *block) {
   for (int c = 0; c < column_size; c++)
     for (int r = 0; r < row_size; r++) {
       double sum = 0;
@@ -215,8 +220,8 @@ static void product(int rows, int n, const double *J, int row_at, int row_size, 
 }
 
 /* Adds J'J of one element to values. */
-static void scatter(const lam_system *system, const lam_block *block, const block_map *map, int element,
-                    const double *J, double *values) {
+static void scatter(const lam_system *system, const lam_block *block, const block_map *map,
+                    int element, const double *J, double *values) {
   const lam_problem *problem = system->problem;
   const int *nodes = block->nodes + (size_t)element * (size_t)block->arity;
   const int *slot = map->slot + (size_t)element * (size_t)(block->arity * (block->arity + 1) / 2);
@@ -241,12 +246,14 @@ static void scatter(const lam_system *system, const lam_block *block, const bloc
       } else { /* the lower triangle; a node that an element lists twice brings its transpose too */
         for (int c = 0; c < column_size; c++)
           for (int r = c; r < row_size; r++)
-            values[start[c] + r - c] += entries[c * row_size + r] + (i == j ? 0 : entries[r * row_size + c]);
+            values[start[c] + r - c] +=
+                entries[c * row_size + r] + (i == j ? 0 : entries[r * row_size + c]);
       }
     }
 }
 
-static void gather(const lam_problem *problem, const lam_block *block, int element, const double *x, double *local) {
+static void gather(const lam_problem *problem, const lam_block *block, int element, const double *x,
+                   double *local) {
   const int *nodes = block->nodes + (size_t)element * (size_t)block->arity;
   for (int i = 0; i < block->arity; i++) {
     const double *from = x + problem->offset[nodes[i]];
@@ -279,7 +286,8 @@ lam_system *lam_system_new(lam_arena *arena, const lam_problem *problem) {
   system->maps = LAM_NEW(arena, block_map, problem->block_count);
   find_groups(system);
   for (int b = 0; b < problem->block_count; b++) find_map(arena, system, &p, prefix, b);
-  system->local = LAM_NEW(arena, double, system->most_columns + system->most_rows * (1 + system->most_columns));
+  system->local =
+      LAM_NEW(arena, double, system->most_columns + system->most_rows * (1 + system->most_columns));
   for (int b = 0; b < problem->block_count; b++) {
     const lam_block *block = &problem->blocks[b];
     if (!block->linear) continue;
@@ -306,21 +314,22 @@ static double role_weight(lam_weights weights, lam_role role) {
 }
 
 /* Adds J'r of one element to the gradient. */
-static void add_gradient(const lam_system *system, const lam_block *block, const block_map *map, int element,
-                         const double *J, const double *r, double *gradient) {
+static void add_gradient(const lam_system *system, const lam_block *block, const block_map *map,
+                         int element, const double *J, const double *r, double *gradient) {
   const lam_problem *problem = system->problem;
   const int *nodes = block->nodes + (size_t)element * (size_t)block->arity;
   for (int i = 0, at = 0; i < block->arity; at += problem->size[nodes[i]], i++) {
     int column = system->column_of_node[nodes[i]], size = problem->size[nodes[i]];
     if (column < 0) continue;
     for (int c = 0; c < size; c++)
-      for (int k = 0; k < map->rows; k++) gradient[column + c] += J[k * map->columns + at + c] * r[k];
+      for (int k = 0; k < map->rows; k++)
+        gradient[column + c] += J[k * map->columns + at + c] * r[k];
   }
 }
 
 /* Counts the residuals of one block's element, and weights them and their Jacobian. */
-static void weigh(const lam_block *block, double weight, int columns, double *r, double *J, lam_residual *sum,
-                  long *hard) {
+static void weigh(const lam_block *block, double weight, int columns, double *r, double *J,
+                  lam_residual *sum, long *hard) {
   for (int k = 0; k < block->rows; k++) {
     double size = fabs(r[k]);
     if (block->role == LAM_HARD) {
@@ -338,7 +347,8 @@ static void weigh(const lam_block *block, double weight, int columns, double *r,
 }
 
 /* Residuals of all blocks; with values and gradient, the normal equations too. */
-static lam_residual pass(lam_system *system, const double *x, lam_weights weights, double *values, double *gradient) {
+static lam_residual pass(lam_system *system, const double *x, lam_weights weights, double *values,
+                         double *gradient) {
   const lam_problem *problem = system->problem;
   lam_residual result = {0, 0, 0, NULL};
   double *local = system->local, *r = local + system->most_columns, *J = r + system->most_rows;
@@ -349,14 +359,15 @@ static lam_residual pass(lam_system *system, const double *x, lam_weights weight
     double weight = block->weight * role_weight(weights, block->role);
     if (weight == 0 && block->role != LAM_HARD && map->members == 1) continue;
     if (values && map->constant)
-      for (int k = 0, n = entry_count(system); k < n; k++) values[k] += weight * weight * map->constant[k];
+      for (int k = 0, n = entry_count(system); k < n; k++)
+        values[k] += weight * weight * map->constant[k];
     for (int e = 0; e < block->count; e++) {
       gather(problem, block, e, x, local);
       for (int m = 0, row = 0; m < map->members; row += block[m].rows, m++) {
         double *rows = values ? J + row * map->columns : NULL;
         block[m].kernel(map->columns, local, params_of(&block[m], e), r + row, rows);
-        weigh(&block[m], block[m].weight * role_weight(weights, block[m].role), map->columns, r + row, rows, &result,
-              &hard_count);
+        weigh(&block[m], block[m].weight * role_weight(weights, block[m].role), map->columns,
+              r + row, rows, &result, &hard_count);
       }
       if (!values) continue;
       add_gradient(system, block, map, e, J, r, gradient);
@@ -367,8 +378,8 @@ static lam_residual pass(lam_system *system, const double *x, lam_weights weight
   return result;
 }
 
-lam_residual lam_system_assemble(lam_system *system, const double *x, lam_weights weights, double *values,
-                                 double *gradient) {
+lam_residual lam_system_assemble(lam_system *system, const double *x, lam_weights weights,
+                                 double *values, double *gradient) {
   memset(values, 0, sizeof(double) * (size_t)entry_count(system));
   memset(gradient, 0, sizeof(double) * (size_t)system->size);
   return pass(system, x, weights, values, gradient);

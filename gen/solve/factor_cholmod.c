@@ -33,9 +33,11 @@ static void check_memory(lam_factor *factor) {
     lam_arena_exhausted(factor->arena);
 }
 
-lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start, const int *row, const int *order) {
-  /* One thread: the same bytes on any machine. CHOLMOD asks for four threads in loops of a few columns, which costs
-   * four times what the factorization does; only without active levels does OpenMP leave those loops alone. */
+lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start, const int *row,
+                               const int *order) {
+  /* One thread: the same bytes on any machine. CHOLMOD asks for four threads in loops of a few
+   * columns, which costs four times what the factorization does; only without active levels does
+   * OpenMP leave those loops alone. */
   openblas_set_num_threads(1);
   omp_set_max_active_levels(0);
   lam_factor *factor = LAM_NEW(arena, lam_factor, 1);
@@ -86,7 +88,8 @@ void lam_factor_solve(lam_factor *factor, const double *b, double *x) {
                      .x = (void *)b,
                      .xtype = CHOLMOD_REAL,
                      .dtype = CHOLMOD_DOUBLE};
-  cholmod_solve2(CHOLMOD_A, factor->L, &B, NULL, &factor->X, NULL, &factor->work_y, &factor->work_e, &factor->common);
+  cholmod_solve2(CHOLMOD_A, factor->L, &B, NULL, &factor->X, NULL, &factor->work_y, &factor->work_e,
+                 &factor->common);
   check_memory(factor);
   memcpy(x, factor->X->x, sizeof(double) * factor->L->n);
   factor->stats.solved++;
@@ -97,14 +100,16 @@ lam_factor_stats lam_factor_get_stats(const lam_factor *factor) { return factor-
 void lam_factor_order(lam_arena *arena, int n, const int *start, const int *neighbor, int *order) {
   double control[AMD_CONTROL], info[AMD_INFO];
   amd_defaults(control);
-  if (n && amd_order(n, start, neighbor, order, control, info) == AMD_OUT_OF_MEMORY) lam_arena_exhausted(arena);
+  if (n && amd_order(n, start, neighbor, order, control, info) == AMD_OUT_OF_MEMORY)
+    lam_arena_exhausted(arena);
 }
 
 const char *lam_blas_kernel(void) { return openblas_get_corename(); }
 
 const char *lam_blas_better_kernel(void) {
   const char *kernel = openblas_get_corename();
-  static const char *const old[] = {"Prescott", "Core2", "Penryn", "Dunnington", "Nehalem", "Barcelona", "Generic"};
+  static const char *const old[] = {"Prescott", "Core2",     "Penryn", "Dunnington",
+                                    "Nehalem",  "Barcelona", "Generic"};
   for (size_t i = 0; i < sizeof old / sizeof *old; i++)
     if (strcmp(kernel, old[i]) == 0)
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "Haswell" : NULL;
@@ -112,7 +117,7 @@ const char *lam_blas_better_kernel(void) {
 }
 
 const char *lam_blas_advice(void) {
-  return lam_blas_better_kernel()
-             ? "this OpenBLAS does not recognize the processor: set OPENBLAS_CORETYPE=Haswell for twice the speed"
-             : NULL;
+  return lam_blas_better_kernel() ? "this OpenBLAS does not recognize the processor: set "
+                                    "OPENBLAS_CORETYPE=Haswell for twice the speed"
+                                  : NULL;
 }

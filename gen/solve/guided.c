@@ -1,18 +1,18 @@
-#include "solve/run.h"
+#include "solve/solver_run.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Damping. The system (H + mu I) dx = -g is solved with mu = lambda * rms(hard residuals): close to a solution mu
- * vanishes with the residual, so the step becomes the Gauss-Newton step and converges quadratically although the
- * problem is under-determined. */
+/* Damping. The system (H + mu I) dx = -g is solved with mu = lambda * rms(hard residuals): close to
+ * a solution mu vanishes with the residual, so the step becomes the Gauss-Newton step and converges
+ * quadratically although the problem is under-determined. */
 static const double lambda_start = 1e-3, lambda_min = 1e-7, lambda_max = 1e8;
 static const double mu_min = 1e-12, mu_max = 1e6;
 static const double shrink = .2, grow = 8;
 enum { max_rejections = 12, stall_window = 30 };
 
-/* One damped step that lowers the energy. Returns the length of the longest move of an unknown, or a negative number
- * when no step was found. */
+/* One damped step that lowers the energy. Returns the length of the longest move of an unknown, or
+ * a negative number when no step was found. */
 static double take_step(lam_run *r, double *lambda, const lam_residual *here, lam_weights weights,
                         lam_residual *after) {
   const int *unknown = lam_system_unknowns(r->system);
@@ -28,7 +28,8 @@ static double take_step(lam_run *r, double *lambda, const lam_residual *here, la
     }
     double t = lam_run_clock();
     double model = 0, longest = 0;
-    memcpy(r->trial, r->problem->x, sizeof(double) * (size_t)r->problem->offset[r->problem->node_count]);
+    memcpy(r->trial, r->problem->x,
+           sizeof(double) * (size_t)r->problem->offset[r->problem->node_count]);
     for (int i = 0; i < r->n; i++) {
       double d = -r->step[i];
       r->trial[unknown[i]] += d;
@@ -39,7 +40,8 @@ static double take_step(lam_run *r, double *lambda, const lam_residual *here, la
     r->solution->seconds_assembly += lam_run_clock() - t;
     double gain = model > 0 ? (here->energy - after->energy) / model : -1;
     if (isfinite(after->energy) && after->energy < here->energy) {
-      memcpy(r->problem->x, r->trial, sizeof(double) * (size_t)r->problem->offset[r->problem->node_count]);
+      memcpy(r->problem->x, r->trial,
+             sizeof(double) * (size_t)r->problem->offset[r->problem->node_count]);
       if (gain > .25)
         *lambda = fmax(*lambda * shrink, lambda_min);
       else
@@ -62,15 +64,15 @@ static void iterate(lam_run *r, const void *context, const lam_progress *progres
   lam_solution *s = r->solution;
   const lam_schedule *schedule = r->schedule;
   lam_residual after;
-  bool wishes = lam_run_has_wishes(r);
+  bool soft = lam_run_has_soft(r);
   double lambda = lambda_start;
   int calm = 0; /* iterations since the fairness and the soft blocks ended */
   for (int k = 0;; k++) {
     lam_run_update(r);
     lam_weights weights = lam_schedule_weights(schedule, k);
-    if (!wishes) weights.soft = 0;
+    if (!soft) weights.soft = 0;
     lam_residual here = lam_run_assemble(r, k, weights, progress);
-    bool faded = weights.fairness == 0 && !wishes;
+    bool faded = weights.fairness == 0 && !soft;
     calm = faded ? calm + 1 : 0;
     if (!isfinite(here.energy)) {
       s->reason = "the residual is not a number: the start is singular";
@@ -92,8 +94,9 @@ static void iterate(lam_run *r, const void *context, const lam_progress *progres
     double moved = take_step(r, &lambda, &here, weights, &after);
     bool gained = moved >= 0 && after.energy < (1 - lam_settled) * here.energy;
     bool met = after.energy <= .5 * schedule->tolerance * schedule->tolerance;
-    if (wishes && weights.fairness == 0 && (!gained || met || 4 * k >= 3 * schedule->max_iterations)) {
-      wishes = false;
+    if (soft && weights.fairness == 0 &&
+        (!gained || met || 4 * k >= 3 * schedule->max_iterations)) {
+      soft = false;
       lambda = lambda_start;
       continue;
     }
@@ -108,7 +111,8 @@ static void iterate(lam_run *r, const void *context, const lam_progress *progres
   }
 }
 
-lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule, const lam_progress *progress) {
+lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule,
+                              const lam_progress *progress) {
   return lam_run_solve(problem, schedule, iterate, NULL, progress);
 }
 

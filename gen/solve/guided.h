@@ -1,4 +1,5 @@
-/* Guided projection: damped Gauss-Newton with fading fairness (thesis 3.7, in the form with the vertices as unknowns).
+/* Guided projection: damped Gauss-Newton with fading fairness (thesis 3.7, in the form with the
+ * vertices as unknowns).
  */
 #ifndef LAM_SOLVE_GUIDED_H
 #define LAM_SOLVE_GUIDED_H
@@ -37,12 +38,15 @@ lam_schedule lam_schedule_default(void);
 /* Iterations until the fairness is gone. */
 int lam_schedule_fade(const lam_schedule *schedule);
 /* Solves in place (problem->x). Non-convergence is a result, not an error. */
-lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule, const lam_progress *progress);
-/* The same with full Gauss-Newton steps and the constant damping epsilon^2 of thesis 3.7. Nothing keeps the residual
- * from rising; soft blocks keep their weight until the fairness is gone, then they are dropped. epsilon > 0. */
-lam_solution lam_gauss_newton_solve(lam_problem *problem, const lam_schedule *schedule, double epsilon,
-                                    const lam_progress *progress);
-/* One linear solve that minimizes the fairness blocks and (closeness to the start)^2 * weight^2: for noisy starts. */
+lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule,
+                              const lam_progress *progress);
+/* The same with full Gauss-Newton steps and the constant damping epsilon^2 of thesis 3.7. Nothing
+ * keeps the residual from rising; soft blocks keep their weight until the fairness is gone, then
+ * they are dropped. epsilon > 0. */
+lam_solution lam_gauss_newton_solve(lam_problem *problem, const lam_schedule *schedule,
+                                    double epsilon, const lam_progress *progress);
+/* One linear solve that minimizes the fairness blocks and (closeness to the start)^2 * weight^2:
+ * for noisy starts. */
 void lam_guided_smooth(lam_problem *problem, double weight);
 
 #endif

@@ -26,7 +26,8 @@ int lam_problem_node(lam_problem *problem, int size, const double *start) {
   int n = problem->node_count, unknowns = problem->offset[n];
   if (n == problem->node_capacity) {
     int capacity = n + n / 2 + 16;
-    int *sizes = LAM_NEW(problem->arena, int, capacity), *offsets = LAM_NEW(problem->arena, int, capacity + 1);
+    int *sizes = LAM_NEW(problem->arena, int, capacity),
+        *offsets = LAM_NEW(problem->arena, int, capacity + 1);
     bool *fixed = LAM_NEW(problem->arena, bool, capacity);
     double *x = LAM_NEW(problem->arena, double, unknowns + 8 * (capacity - n));
     memcpy(sizes, problem->size, sizeof(int) * (size_t)n);
@@ -53,7 +54,8 @@ void lam_problem_add(lam_problem *problem, lam_block block) {
   if (problem->block_count == problem->block_capacity) {
     int capacity = 2 * problem->block_capacity + 8;
     lam_block *blocks = LAM_NEW(problem->arena, lam_block, capacity);
-    if (problem->block_count) memcpy(blocks, problem->blocks, sizeof *blocks * (size_t)problem->block_count);
+    if (problem->block_count)
+      memcpy(blocks, problem->blocks, sizeof *blocks * (size_t)problem->block_count);
     problem->blocks = blocks;
     problem->block_capacity = capacity;
   }

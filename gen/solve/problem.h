@@ -1,8 +1,9 @@
 /* A guided projection problem: unknowns, and blocks of like constraints on them.
  *
- * Unknowns come in nodes: nodes 0 .. vertex_count-1 are the mesh vertices (3 unknowns each); further nodes of any size
- * hold what a net truly has beside its vertices (a common radius, a strip width). An element of a block lists its
- * nodes; its kernel sees their unknowns one after the other and returns residuals and their exact Jacobian. */
+ * Unknowns come in nodes: nodes 0 .. vertex_count-1 are the mesh vertices (3 unknowns each);
+ * further nodes of any size hold what a net truly has beside its vertices (a common radius, a strip
+ * width). An element of a block lists its nodes; its kernel sees their unknowns one after the other
+ * and returns residuals and their exact Jacobian. */
 #ifndef LAM_SOLVE_PROBLEM_H
 #define LAM_SOLVE_PROBLEM_H
 
@@ -10,14 +11,14 @@
 #include "core/vec3.h"
 #include <stdbool.h>
 
-/* Residuals r[rows] and Jacobian J[rows * n] (row-major; NULL: not wanted) of one element with n unknowns x and
- * parameters p. Pure: no allocation, no state. */
+/* Residuals r[rows] and Jacobian J[rows * n] (row-major; NULL: not wanted) of one element with n
+ * unknowns x and parameters p. Pure: no allocation, no state. */
 typedef void (*lam_kernel)(int n, const double *x, const double *p, double *r, double *J);
 
 typedef enum lam_role {
   LAM_HARD, /* must vanish: convergence is judged by it */
-  LAM_SOFT, /* a wish, such as proximity: keeps its weight until it is met as well as can be, then yields to the hard
-               ones */
+  LAM_SOFT, /* a wish, such as proximity: keeps its weight until it is met as well as can be, then
+               yields to the hard ones */
   LAM_FAIRNESS, /* weighted by the fading schedule */
 } lam_role;
 
@@ -32,7 +33,8 @@ typedef struct lam_block {
   const int *nodes; /* count * arity */
   int param_count;  /* of an element */
   double *params;   /* count * param_count; may change between iterations through update */
-  /* Called before every iteration with the current unknowns, for constraints that follow a foot point; may be NULL. */
+  /* Called before every iteration with the current unknowns, for constraints that follow a foot
+   * point; may be NULL. */
   void (*update)(struct lam_block *block, const double *x, const int *offset, void *context);
   void *context;
 } lam_block;
@@ -51,8 +53,8 @@ typedef struct lam_problem {
 
 /* A problem on vertices at positions (copied). */
 lam_problem *lam_problem_new(lam_arena *arena, int vertex_count, const lam_vec3 *positions);
-/* Adds a node of 1 to 8 unknowns with the given start; returns its index. Blocks added before do not
- * change. */
+/* Adds a node of 1 to 8 unknowns with the given start; returns its index. Blocks added before do
+ * not change. */
 int lam_problem_node(lam_problem *problem, int size, const double *start);
 /* Adds a block (nothing when count is 0); nodes and params are kept by pointer. */
 void lam_problem_add(lam_problem *problem, lam_block block);

@@ -1,5 +1,6 @@
-/* do Carmo, Differential Geometry of Curves and Surfaces, 3-2, 3-3 and 4-4. In the orthonormal basis e1 = x_u / |x_u|,
- * e2 = n x e1 of the tangent plane the second form is (a, b; b, c); see surf/curvature.c. */
+/* do Carmo, Differential Geometry of Curves and Surfaces, 3-2, 3-3 and 4-4. In the orthonormal
+ * basis e1 = x_u / |x_u|, e2 = n x e1 of the tangent plane the second form is (a, b; b, c); see
+ * surf/curvature.c. */
 #include "surf/directions.h"
 
 typedef struct lam_plane {
@@ -19,7 +20,8 @@ static lam_plane tangent_plane(const lam_jet *jet, const lam_curvature *k) {
 
 /* (du, dv) of a tangent vector: the first form is inverted. */
 static lam_vec2 parameters_of(const lam_jet *jet, const lam_curvature *k, lam_vec3 tangent) {
-  double p = lam_dot(tangent, jet->u), q = lam_dot(tangent, jet->v), area = k->E * k->G - k->F * k->F;
+  double p = lam_dot(tangent, jet->u), q = lam_dot(tangent, jet->v),
+         area = k->E * k->G - k->F * k->F;
   return (lam_vec2){(k->G * p - k->F * q) / area, (k->E * q - k->F * p) / area};
 }
 
@@ -33,7 +35,8 @@ lam_directions lam_jet_directions(const lam_jet *jet) {
   lam_directions d = {0};
   if (isnan(k.K)) return d;
   lam_plane plane = tangent_plane(jet, &k);
-  double half = (plane.a - plane.c) / 2, first = half != 0 || plane.b != 0 ? atan2(plane.b, half) / 2 : 0;
+  double half = (plane.a - plane.c) / 2,
+         first = half != 0 || plane.b != 0 ? atan2(plane.b, half) / 2 : 0;
   for (int i = 0; i < 2; i++) {
     d.principal[i] = turned(&plane, first + i * M_PI_2);
     d.principal_uv[i] = parameters_of(jet, &k, d.principal[i]);
@@ -60,11 +63,13 @@ lam_darboux lam_jet_darboux(const lam_jet *jet, lam_vec2 first, lam_vec2 second)
   d.side = lam_cross(d.normal, d.tangent);
   lam_vec3 acceleration = lam_along(lam_scale(jet->u, second.x), second.y, jet->v);
   acceleration = lam_along(acceleration, first.x * first.x, jet->uu);
-  acceleration = lam_along(lam_along(acceleration, 2 * first.x * first.y, jet->uv), first.y * first.y, jet->vv);
+  acceleration = lam_along(lam_along(acceleration, 2 * first.x * first.y, jet->uv),
+                           first.y * first.y, jet->vv);
   lam_plane plane = tangent_plane(jet, &k);
   double x = lam_dot(d.tangent, plane.e[0]), y = lam_dot(d.tangent, plane.e[1]);
   d.normal_curvature = plane.a * x * x + 2 * plane.b * x * y + plane.c * y * y;
   d.geodesic_curvature = lam_dot(acceleration, d.side) / (speed * speed);
-  d.geodesic_torsion = -plane.a * x * y + plane.b * (x * x - y * y) + plane.c * x * y; /* II(tangent, side) */
+  d.geodesic_torsion =
+      -plane.a * x * y + plane.b * (x * x - y * y) + plane.c * x * y; /* II(tangent, side) */
   return d;
 }

@@ -1,9 +1,9 @@
 /* The descending Landen transformation (Abramowitz & Stegun 16.4, 17.6):
- *   a_0 = 1, b_0 = sqrt(1-m), c_0 = sqrt(m); a_{n+1} = (a_n + b_n)/2, b_{n+1} = sqrt(a_n b_n), c_{n+1} = (a_n - b_n)/2;
- *   K = pi / (2 a_N), E/K = 1 - sum 2^(n-1) c_n^2;
- *   phi_N = 2^N a_N x, sin(2 phi_{n-1} - phi_n) = (c_n / a_n) sin phi_n, am x = phi_0;
- *   Jacobi's zeta function Z(x) = sum_{n>=1} c_n sin phi_n, and the integral of dn^2 is (E/K) x + Z(x).
- * dn^2 is taken as cn^2 + (1-m) sn^2, a sum of positive terms. */
+ *   a_0 = 1, b_0 = sqrt(1-m), c_0 = sqrt(m); a_{n+1} = (a_n + b_n)/2, b_{n+1} = sqrt(a_n b_n),
+ * c_{n+1} = (a_n - b_n)/2; K = pi / (2 a_N), E/K = 1 - sum 2^(n-1) c_n^2; phi_N = 2^N a_N x, sin(2
+ * phi_{n-1} - phi_n) = (c_n / a_n) sin phi_n, am x = phi_0; Jacobi's zeta function Z(x) =
+ * sum_{n>=1} c_n sin phi_n, and the integral of dn^2 is (E/K) x + Z(x). dn^2 is taken as cn^2 +
+ * (1-m) sn^2, a sum of positive terms. */
 #include "surf/elliptic.h"
 #include <float.h>
 #include <math.h>
@@ -28,7 +28,8 @@ lam_elliptic lam_elliptic_make(double complement) {
 }
 
 lam_jacobi lam_jacobi_eval(const lam_elliptic *elliptic, double x) {
-  double half_turns = nearbyint(x / (2 * elliptic->quarter)), rest = x - half_turns * 2 * elliptic->quarter;
+  double half_turns = nearbyint(x / (2 * elliptic->quarter)),
+         rest = x - half_turns * 2 * elliptic->quarter;
   double phi = ldexp(elliptic->a[elliptic->levels] * rest, elliptic->levels), zeta = 0;
   for (int n = elliptic->levels; n > 0; n--) {
     double s = sin(phi);

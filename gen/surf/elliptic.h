@@ -10,7 +10,8 @@ typedef struct lam_elliptic {
   double quarter;    /* K, the complete integral of the first kind: a quarter period */
   double slope;      /* E / K, mean of dn^2 */
   int levels;
-  double a[LAM_ELLIPTIC_LEVELS], c[LAM_ELLIPTIC_LEVELS]; /* arithmetic-geometric means and half differences */
+  double a[LAM_ELLIPTIC_LEVELS],
+      c[LAM_ELLIPTIC_LEVELS]; /* arithmetic-geometric means and half differences */
 } lam_elliptic;
 
 /* complement = 1 - m in (0, 1]: given instead of m so that nothing is lost as m nears 1. */
@@ -18,7 +19,8 @@ lam_elliptic lam_elliptic_make(double complement);
 
 typedef struct lam_jacobi {
   double sn, cn, dn;
-  double epsilon; /* integral of dn^2 from 0 to x: the incomplete integral of the second kind at am(x) */
+  double epsilon; /* integral of dn^2 from 0 to x: the incomplete integral of the second kind at
+                     am(x) */
 } lam_jacobi;
 lam_jacobi lam_jacobi_eval(const lam_elliptic *elliptic, double x);
 

@@ -1,5 +1,5 @@
-/* Surfaces: x(u,v) with first and second derivatives over a rectangle of parameters. One kind per file; the list is
- * surf/registry.c. */
+/* Surfaces: x(u,v) with first and second derivatives over a rectangle of parameters. One kind per
+ * file; the list is surf/registry.c. */
 #ifndef LAM_SURF_SURFACE_H
 #define LAM_SURF_SURFACE_H
 
@@ -12,16 +12,18 @@ typedef struct lam_jet {
   lam_vec3 x, u, v, uu, uv, vv;
 } lam_jet;
 
-/* Parameterizations that a net may ask a surface for. NATURAL is the surface's own (u,v). In the others the parameter
- * lines have the named property; DIAGONAL are the diagonals of an isothermic principal grid (a = (p+q)/2, b = (p-q)/2
- * in isothermic coordinates: lines of equal normal curvature on CMC surfaces). In the geodesic ones the lines of the
- * first parameter are geodesics, by arc length: at right angles to a curve, or through a pole. */
+/* Parameterizations that a net may ask a surface for. NATURAL is the surface's own (u,v). In the
+ * others the parameter lines have the named property; DIAGONAL are the diagonals of an isothermic
+ * principal grid (a = (p+q)/2, b = (p-q)/2 in isothermic coordinates: lines of equal normal
+ * curvature on CMC surfaces). In the geodesic ones the lines of the first parameter are geodesics,
+ * by arc length: at right angles to a curve, or through a pole. */
 typedef enum lam_chart {
   LAM_CHART_NATURAL,
   LAM_CHART_ASYMPTOTIC,
   LAM_CHART_PRINCIPAL,
   LAM_CHART_DIAGONAL,
-  LAM_CHART_COUNT, /* of those that a surface may offer in closed form; the others are always traced (net/trace.h) */
+  LAM_CHART_COUNT, /* of those that a surface may offer in closed form; the others are always traced
+                      (net/trace.h) */
   LAM_CHART_GEODESIC_PARALLEL = LAM_CHART_COUNT,
   LAM_CHART_GEODESIC_POLAR,
   LAM_CHART_ALL
@@ -30,16 +32,17 @@ extern const char *const lam_chart_names[]; /* NULL-terminated */
 
 typedef struct lam_surface lam_surface;
 
-/* What a surface that stands in a file is parsed into: the design names the file, and who reads files puts the surface
- * in before it is made. */
+/* What a surface that stands in a file is parsed into: the design names the file, and who reads
+ * files puts the surface in before it is made. */
 typedef struct lam_surface_source {
   const char *file;
   int face;                          /* which of the file's surfaces, from 1 */
   const lam_spline_surface *surface; /* NULL: not read; its numbers need not be sound */
-  const char *note;                  /* for the report: what of the file is not read; NULL: nothing */
+  const char *note; /* for the report: what of the file is not read; NULL: nothing */
 } lam_surface_source;
 
-/* Points that stand in a file: the design names it, and who reads files puts the points in, as they are written there.
+/* Points that stand in a file: the design names it, and who reads files puts the points in, as they
+ * are written there.
  */
 typedef struct lam_point_file {
   const char *file; /* NULL: none */
@@ -50,31 +53,37 @@ typedef struct lam_point_file {
 typedef struct lam_surface_kind {
   lam_row_head head;
   bool reads_file; /* its parameters are a lam_surface_source */
-  /* The keys of its boundary in the parameters (surf/sides_keys.h), whose curves may stand in a file; NULL: it has
-   * none. */
+  /* The keys of its boundary in the parameters (surf/sides_keys.h), whose curves may stand in a
+   * file; NULL: it has none. */
   struct lam_sides_keys *(*sides)(void *params);
   /* The points in its parameters that may stand in a file; NULL: it has none. */
   lam_point_file *(*points)(void *params);
-  /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance data". Adds to
-   * errors what only shows when keys are taken together. place is where the surface stands in the design. May be NULL.
+  /* Derives what evaluation needs from the parameters (may allocate). Returns NULL for "no instance
+   * data". Adds to errors what only shows when keys are taken together. place is where the surface
+   * stands in the design. May be NULL.
    */
-  const void *(*prepare)(lam_arena *arena, const void *params, lam_place place, lam_errors *errors);
-  /* The jet at (u,v) of the natural parameterization. data is what prepare returned, or params without prepare. Pure.
+  const void *(*prepare)(lam_arena *arena, const void *params, lam_location location,
+                         lam_errors *errors);
+  /* The jet at (u,v) of the natural parameterization. data is what prepare returned, or params
+   * without prepare. Pure.
    */
   void (*eval)(const void *data, double u, double v, lam_jet *jet);
-  /* The default domain of the chart and whether it closes up in p and q; false: the surface has no such chart. */
+  /* The default domain of the chart and whether it closes up in p and q; false: the surface has no
+   * such chart. */
   bool (*domain)(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]);
-  /* Natural parameters of chart point (p,q). Charts around a flat point are branched: sector s counts quarter turns
-   * around it, with p, q >= 0 in every sector. s = 0 for all other charts. May be NULL when only NATURAL exists. Pure.
+  /* Natural parameters of chart point (p,q). Charts around a flat point are branched: sector s
+   * counts quarter turns around it, with p, q >= 0 in every sector. s = 0 for all other charts. May
+   * be NULL when only NATURAL exists. Pure.
    */
-  void (*locate)(const void *data, lam_chart chart, int sector, double p, double q, double *u, double *v);
-  /* The number of sectors around the chart's origin when the chart is branched there (6 for a monkey saddle); 0 or a
-   * NULL function: not branched. */
+  void (*locate)(const void *data, lam_chart chart, int sector, double p, double q, double *u,
+                 double *v);
+  /* The number of sectors around the chart's origin when the chart is branched there (6 for a
+   * monkey saddle); 0 or a NULL function: not branched. */
   int (*sectors)(const void *data, lam_chart chart);
   /* The surface as a spline, before it is placed; NULL: it is none. */
   const lam_spline_surface *(*spline)(const void *data);
-  /* How it was computed and what was measured of it, for the report (name is set); NULL: nothing to tell. Measures must
-   * not come from the quadrature that was minimized with. */
+  /* How it was computed and what was measured of it, for the report (name is set); NULL: nothing to
+   * tell. Measures must not come from the quadrature that was minimized with. */
   void (*report)(lam_arena *arena, const void *data, lam_stage *stage);
 } lam_surface_kind;
 
@@ -92,14 +101,15 @@ static inline void lam_surface_eval(const lam_surface *surface, double u, double
   surface->kind->eval(surface->data, u, v, jet);
 }
 /* The point at chart coordinates. */
-lam_vec3 lam_surface_point(const lam_surface *surface, lam_chart chart, int sector, double p, double q);
+lam_vec3 lam_surface_point(const lam_surface *surface, lam_chart chart, int sector, double p,
+                           double q);
 
-/* First and second fundamental forms and curvatures of a jet. Where the surface is singular (|x_u x x_v| = 0) the
- * normal is zero and the curvatures are NaN. */
+/* First and second fundamental forms and curvatures of a jet. Where the surface is singular (|x_u x
+ * x_v| = 0) the normal is zero and the curvatures are NaN. */
 typedef struct lam_curvature {
   lam_vec3 normal;
   double E, F, G, L, M, N;
-  double K, H;   /* Gaussian and mean curvature; H > 0 where the surface curves towards its normal */
+  double K, H; /* Gaussian and mean curvature; H > 0 where the surface curves towards its normal */
   double k1, k2; /* principal curvatures, k1 >= k2 */
 } lam_curvature;
 lam_curvature lam_jet_curvature(const lam_jet *jet);

@@ -1,13 +1,13 @@
 // cad_reader FILE [COPY.step COPY.igs [PART.step PART.igs]]
-// Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, writes copies of it and of
-// the middle of its first face (trimmed to half of its parameters each way), and prints what it found in SI units:
-//   faces N / shells N / closed_shells N / valid 0|1 / area A / boundary L / vertices N (of faces) / edges N /
-//   free_edges N (of one face only) / loose_edges N (of none) / loose L
-//   box x0 y0 z0 x1 y1 z1
-//   point FACE u v x y z             on a grid over each face's parameters
-//   curve LENGTH x0 y0 z0 x1 y1 z1   for each loose edge
-//   part L                           length of the boundary of the trimmed face
-//   name NAME LAYER                  for each B-spline curve that has a name; its layer (STEP) or level (IGES) or -
+// Reads a STEP or IGES file with OpenCASCADE, which knows nothing of this program, writes copies of
+// it and of the middle of its first face (trimmed to half of its parameters each way), and prints
+// what it found in SI units:
+//   faces N / shells N / closed_shells N / valid 0|1 / area A / boundary L / vertices N (of faces)
+//   / edges N / free_edges N (of one face only) / loose_edges N (of none) / loose L box x0 y0 z0 x1
+//   y1 z1 point FACE u v x y z             on a grid over each face's parameters curve LENGTH x0 y0
+//   z0 x1 y1 z1   for each loose edge part L                           length of the boundary of
+//   the trimmed face name NAME LAYER                  for each B-spline curve that has a name; its
+//   layer (STEP) or level (IGES) or -
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -102,25 +102,28 @@ static TopoDS_Shape read(const char *path, int *roots) {
 
 static void print_points(const TopoDS_Face &face, int number) {
   BRepAdaptor_Surface s(face);
-  double u0 = s.FirstUParameter(), u1 = s.LastUParameter(), v0 = s.FirstVParameter(), v1 = s.LastVParameter();
+  double u0 = s.FirstUParameter(), u1 = s.LastUParameter(), v0 = s.FirstVParameter(),
+         v1 = s.LastVParameter();
   for (int i = 0; i <= cells; i++)
     for (int j = 0; j <= cells; j++) {
       double u = u0 + (u1 - u0) * i / cells, v = v0 + (v1 - v0) * j / cells;
       gp_Pnt p = s.Value(u, v);
-      printf("point %d %.17g %.17g %.17g %.17g %.17g\n", number, u, v, p.X() / 1000, p.Y() / 1000, p.Z() / 1000);
+      printf("point %d %.17g %.17g %.17g %.17g %.17g\n", number, u, v, p.X() / 1000, p.Y() / 1000,
+             p.Z() / 1000);
     }
 }
 
 static void print_curve(const TopoDS_Edge &edge) {
   BRepAdaptor_Curve c(edge);
   gp_Pnt a = c.Value(c.FirstParameter()), b = c.Value(c.LastParameter());
-  printf("curve %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", length(edge), a.X() / 1000, a.Y() / 1000, a.Z() / 1000,
-         b.X() / 1000, b.Y() / 1000, b.Z() / 1000);
+  printf("curve %.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", length(edge), a.X() / 1000,
+         a.Y() / 1000, a.Z() / 1000, b.X() / 1000, b.Y() / 1000, b.Z() / 1000);
 }
 
 static void print_shells(const TopoDS_Shape &shape) {
   int shells = 0, closed = 0;
-  for (TopExp_Explorer e(shape, TopAbs_SHELL); e.More(); e.Next(), shells++) closed += BRep_Tool::IsClosed(e.Current());
+  for (TopExp_Explorer e(shape, TopAbs_SHELL); e.More(); e.Next(), shells++)
+    closed += BRep_Tool::IsClosed(e.Current());
   TopTools_IndexedMapOfShape vertices;
   for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
     TopExp::MapShapes(e.Current(), TopAbs_VERTEX, vertices);
@@ -130,7 +133,8 @@ static void print_shells(const TopoDS_Shape &shape) {
 static int report(const TopoDS_Shape &shape) {
   int faces = 0, edges = 0, free_edges = 0, loose_edges = 0;
   double boundary = 0, loose = 0;
-  for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next()) print_points(TopoDS::Face(e.Current()), faces++);
+  for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
+    print_points(TopoDS::Face(e.Current()), faces++);
   TopTools_IndexedDataMapOfShapeListOfShape owners;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, owners);
   for (int i = 1; i <= owners.Extent(); i++) {
@@ -154,9 +158,10 @@ static int report(const TopoDS_Shape &shape) {
   BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
   double b[6];
   box.Get(b[0], b[1], b[2], b[3], b[4], b[5]);
-  printf("faces %d\nvalid %d\narea %.17g\n", faces, (int)BRepCheck_Analyzer(shape).IsValid(), area.Mass() / 1e6);
-  printf("boundary %.17g\nedges %d\nfree_edges %d\nloose_edges %d\nloose %.17g\nbox", boundary, edges, free_edges,
-         loose_edges, loose);
+  printf("faces %d\nvalid %d\narea %.17g\n", faces, (int)BRepCheck_Analyzer(shape).IsValid(),
+         area.Mass() / 1e6);
+  printf("boundary %.17g\nedges %d\nfree_edges %d\nloose_edges %d\nloose %.17g\nbox", boundary,
+         edges, free_edges, loose_edges, loose);
   for (double side : b) printf(" %.17g", side / 1000);
   printf("\n");
   return 0;
@@ -165,19 +170,21 @@ static int report(const TopoDS_Shape &shape) {
 static bool copy(const TopoDS_Shape &shape, const char *step, const char *iges) {
   STEPControl_Writer writer;
   IGESControl_Writer other("MM", 0);
-  return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone && writer.Write(step) == IFSelect_RetDone &&
-         other.AddShape(shape) && other.Write(iges);
+  return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone &&
+         writer.Write(step) == IFSelect_RetDone && other.AddShape(shape) && other.Write(iges);
 }
 
 static TopoDS_Shape middle(const TopoDS_Shape &shape) {
   TopoDS_Face face = TopoDS::Face(TopExp_Explorer(shape, TopAbs_FACE).Current());
   BRepAdaptor_Surface s(face);
-  double u = s.FirstUParameter(), du = s.LastUParameter() - u, v = s.FirstVParameter(), dv = s.LastVParameter() - v;
-  TopoDS_Shape part =
-      BRepBuilderAPI_MakeFace(BRep_Tool::Surface(face), u + du / 4, u + 3 * du / 4, v + dv / 4, v + 3 * dv / 4, 1e-7)
-          .Face();
+  double u = s.FirstUParameter(), du = s.LastUParameter() - u, v = s.FirstVParameter(),
+         dv = s.LastVParameter() - v;
+  TopoDS_Shape part = BRepBuilderAPI_MakeFace(BRep_Tool::Surface(face), u + du / 4, u + 3 * du / 4,
+                                              v + dv / 4, v + 3 * dv / 4, 1e-7)
+                          .Face();
   double sum = 0;
-  for (TopExp_Explorer e(part, TopAbs_EDGE); e.More(); e.Next()) sum += length(TopoDS::Edge(e.Current()));
+  for (TopExp_Explorer e(part, TopAbs_EDGE); e.More(); e.Next())
+    sum += length(TopoDS::Edge(e.Current()));
   printf("part %.17g\n", sum);
   return part;
 }
@@ -194,7 +201,8 @@ int main(int argc, char **argv) {
       return 1;
     }
     printf("roots %d\n", roots);
-    if ((argc >= 4 && !copy(shape, argv[2], argv[3])) || (argc == 6 && !copy(middle(shape), argv[4], argv[5]))) {
+    if ((argc >= 4 && !copy(shape, argv[2], argv[3])) ||
+        (argc == 6 && !copy(middle(shape), argv[4], argv[5]))) {
       fprintf(stderr, "%s: cannot be copied\n", argv[1]);
       return 1;
     }

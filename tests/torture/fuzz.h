@@ -13,11 +13,13 @@ static inline uint64_t fuzz_next(uint64_t *state) { /* xorshift64* (S. Vigna) */
   return *state * 0x2545f4914f6cdd1dULL;
 }
 
-/* Swaps, overwrites and repeats a few bytes, puts likely ones in; numbers change into other numbers most often. Returns
- * the new size, at most capacity. */
-static inline size_t fuzz_mutate(uint64_t *state, const char *likely, uint8_t *bytes, size_t size, size_t capacity) {
+/* Swaps, overwrites and repeats a few bytes, puts likely ones in; numbers change into other numbers
+ * most often. Returns the new size, at most capacity. */
+static inline size_t fuzz_mutate(uint64_t *state, const char *likely, uint8_t *bytes, size_t size,
+                                 size_t capacity) {
   for (uint64_t n = 1 + fuzz_next(state) % 6; n && size; n--) {
-    size_t at = fuzz_next(state) % size, to = fuzz_next(state) % size, length = fuzz_next(state) % 24;
+    size_t at = fuzz_next(state) % size, to = fuzz_next(state) % size,
+           length = fuzz_next(state) % 24;
     switch (fuzz_next(state) % 6) {
     case 0:
       bytes[at] = (uint8_t)fuzz_next(state);

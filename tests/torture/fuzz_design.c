@@ -1,9 +1,10 @@
-/* Design files of any bytes: the parser must not crash, must say what is wrong in single lines, and must say the same
- * twice. An input that begins with "--set " has an override in its first line.
+/* Design files of any bytes: the parser must not crash, must say what is wrong in single lines, and
+ * must say the same twice. An input that begins with "--set " has an override in its first line.
  *
  * As a fuzzer:
- *   clang -g -O1 -std=c11 -D_GNU_SOURCE -DLAM_LIBFUZZER -fsanitize=fuzzer,address,undefined -Igen -I. \
- *     tests/torture/fuzz_design.c $(ls gen/design/[a-z]*.c) build/liblamella.a $(LIBRARIES) -o fuzz_design
+ *   clang -g -O1 -std=c11 -D_GNU_SOURCE -DLAM_LIBFUZZER -fsanitize=fuzzer,address,undefined -Igen
+ * -I. \ tests/torture/fuzz_design.c $(ls gen/design/[a-z]*.c) build/liblamella.a $(LIBRARIES) -o
+ * fuzz_design
  *   ./fuzz_design templates/designs tests/cases/bad-designs
  * As a test (without LAM_LIBFUZZER): mutates the shipped and the bad designs in a fixed sequence.
  *   fuzz_design [ROUNDS [SEED]] */
@@ -22,20 +23,23 @@ static void fail(const char *what, const char *text) {
 }
 
 /* Reads the design; returns a hash of all messages. */
-static uint64_t parse(const char *bytes, size_t count, const lam_override *overrides, int override_count) {
+static uint64_t parse(const char *bytes, size_t count, const lam_override *overrides,
+                      int override_count) {
   lam_arena *arena = lam_arena_new();
   if (!arena) return 0;
   lam_errors errors = {.arena = arena};
   lam_design design;
-  bool good = lam_design_parse(arena, bytes, count, "fuzz.yaml", overrides, override_count, &errors, &design);
+  bool good = lam_design_parse(arena, bytes, count, "fuzz.yaml", overrides, override_count, &errors,
+                               &design);
   uint64_t hash = 14695981039346656037u;
   if (good != (errors.count == 0)) fail("result", "messages and result disagree");
-  if (good && (!design.name || !design.title || !design.source)) fail("design", "a text is missing");
+  if (good && (!design.name || !design.title || !design.source))
+    fail("design", "a text is missing");
   for (const lam_error *error = errors.first; error; error = error->next) {
     if (!error->text[0] || strchr(error->text, '\n')) fail("not one line", error->text);
-    if (error->place.line < 0 || error->place.column < 0) fail("place", error->text);
+    if (error->location.line < 0 || error->location.column < 0) fail("place", error->text);
     for (const char *c = error->text; *c; c++) hash = (hash ^ (unsigned char)*c) * 1099511628211u;
-    hash = (hash ^ (uint64_t)error->place.line) * 1099511628211u;
+    hash = (hash ^ (uint64_t)error->location.line) * 1099511628211u;
   }
   lam_arena_free(arena);
   return hash;
@@ -55,7 +59,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     rest = end ? end + 1 : bytes + size;
   }
   size_t count = size - (size_t)(rest - bytes);
-  if (parse(rest, count, &override, override.text != NULL) != parse(rest, count, &override, override.text != NULL)) {
+  if (parse(rest, count, &override, override.text != NULL) !=
+      parse(rest, count, &override, override.text != NULL)) {
     fail("differs", "the same input gave other messages");
   }
   free(bytes);
@@ -81,7 +86,9 @@ static uint64_t next_random(uint64_t *state) {
   return z ^ (z >> 31);
 }
 
-static size_t below(uint64_t *state, size_t limit) { return limit > 0 ? (size_t)(next_random(state) % limit) : 0; }
+static size_t below(uint64_t *state, size_t limit) {
+  return limit > 0 ? (size_t)(next_random(state) % limit) : 0;
+}
 
 static int read_seeds(const char *pattern, seed *seeds, int count) {
   glob_t found;
@@ -100,7 +107,8 @@ static int read_seeds(const char *pattern, seed *seeds, int count) {
 }
 
 /* Puts bytes in place of `removed` bytes at `at`; nothing when the result would be too long. */
-static void splice(char *data, size_t *count, size_t at, size_t removed, const char *bytes, size_t inserted) {
+static void splice(char *data, size_t *count, size_t at, size_t removed, const char *bytes,
+                   size_t inserted) {
   if (*count - removed + inserted > longest) return;
   memmove(data + at + inserted, data + at + removed, *count - at - removed);
   memcpy(data + at, bytes, inserted);

@@ -1,14 +1,15 @@
-/* STL and OBJ files of any bytes: the readers must not crash, must say what is wrong in single lines, and what they do
- * read must be measured without harm.
+/* STL and OBJ files of any bytes: the readers must not crash, must say what is wrong in single
+ * lines, and what they do read must be measured without harm.
  *
  * As a fuzzer:
- *   clang -g -O1 -std=c11 -D_GNU_SOURCE -fsanitize=fuzzer,address,undefined -Igen -I. tests/torture/fuzz_mesh.c \
- *     formats/stl.c formats/obj.c formats/scan.c build/liblamella.a -lgmp -lmpfr -lstdc++ -lm -o fuzz_mesh
+ *   clang -g -O1 -std=c11 -D_GNU_SOURCE -fsanitize=fuzzer,address,undefined -Igen -I.
+ * tests/torture/fuzz_mesh.c \ formats/stl.c formats/obj.c formats/scan.c build/liblamella.a -lgmp
+ * -lmpfr -lstdc++ -lm -o fuzz_mesh
  *   ./fuzz_mesh -max_len=4096 corpus
  * As a test, with -DLAM_FUZZ_DRIVER: mutates small files in a fixed sequence.
  *   fuzz_mesh [ROUNDS [SEED]] */
-#include "core/mesh.h"
-#include "core/solid.h"
+#include "core/solid/solid.h"
+#include "core/solid/triangles.h"
 #include "formats/format.h"
 
 #include <stdint.h>
@@ -28,7 +29,8 @@ static void fail(const char *what) {
 static void check_messages(const lam_errors *errors, bool good) {
   if (good != (errors->count == 0)) fail("messages and result disagree");
   for (const lam_error *e = errors->first; e; e = e->next)
-    if (!e->text[0] || strchr(e->text, '\n') || e->place.line < 0) fail("a message is not one line");
+    if (!e->text[0] || strchr(e->text, '\n') || e->location.line < 0)
+      fail("a message is not one line");
 }
 
 /* Closest points and overlaps with a box, of small meshes. */
@@ -37,7 +39,8 @@ static void use(lam_arena *arena, const lam_trimesh *read) {
   if (read->triangle_count > largest) return;
   lam_trimesh mesh = lam_trimesh_weld(arena, read, 0);
   lam_solid_facts facts;
-  if (lam_solid_measure(&mesh, true, &facts) != LAM_OK) fail("a mesh that was read cannot be measured");
+  if (lam_solid_measure(&mesh, true, &facts) != LAM_OK)
+    fail("a mesh that was read cannot be measured");
   if (facts.components > facts.triangles || facts.self_intersections < 0) fail("wrong counts");
   lam_tree *tree = lam_tree_new(&mesh);
   if (tree) {
@@ -48,10 +51,11 @@ static void use(lam_arena *arena, const lam_trimesh *read) {
     lam_tree_free(tree);
   }
   lam_solid_set *set = lam_solid_set_new();
-  lam_frame moved = {{0.001, 0.002, 0.003}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  lam_pose moved = {{0.001, 0.002, 0.003}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   double volume = 0;
   if (set && lam_solid_set_add(set, &mesh, NULL) == 0 && lam_solid_set_add(set, &mesh, &moved) == 1)
-    if (lam_solid_set_overlap(set, 0, 1, &volume) == LAM_OK && !(volume >= 0)) fail("a negative overlap");
+    if (lam_solid_set_overlap(set, 0, 1, &volume) == LAM_OK && !(volume >= 0))
+      fail("a negative overlap");
   lam_solid_set_free(set);
 }
 
@@ -64,12 +68,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (size) memcpy(bytes, data, size);
     lam_errors errors = {.arena = arena}, more = {.arena = arena};
     lam_trimesh triangles;
-    bool good = formats[i]->read_triangles(arena, bytes, size, (lam_place){.file = "fuzz"}, &errors, &triangles);
+    bool good = formats[i]->read_triangles(arena, bytes, size, (lam_location){.file = "fuzz"},
+                                           &errors, &triangles);
     check_messages(&errors, good);
     if (good) use(arena, &triangles);
     lam_mesh mesh;
     if (formats[i]->read_mesh)
-      check_messages(&more, formats[i]->read_mesh(arena, bytes, size, (lam_place){.file = "fuzz"}, &more, &mesh));
+      check_messages(&more, formats[i]->read_mesh(arena, bytes, size,
+                                                  (lam_location){.file = "fuzz"}, &more, &mesh));
     lam_arena_free(arena);
   }
   return 0;
@@ -83,7 +89,8 @@ static const char obj[] =
     "f 1 3 4 2\nf 5/1 6/1 8/1 7/1\nf 1//1 2//1 6//1 5//1\nf -6 -2 -1 -5\nf 1/1/1 5 7 3\nf 2 4 8 6\n"
     "g x\nl 1 2 3\nusemtl y\n";
 static const char stl[] =
-    "solid t\nfacet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 9 0 vertex 9 0 0 endloop endfacet\n"
+    "solid t\nfacet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 9 0 vertex 9 0 0 endloop "
+    "endfacet\n"
     "facet normal 0 -1 0 outer loop vertex 0 0 0 vertex 9 0 0 vertex 0 0 9 endloop endfacet\n"
     "facet normal -1 0 0 outer loop vertex 0 0 0 vertex 0 0 9 vertex 0 9 0 endloop endfacet\n"
     "facet normal 1 1 1 outer loop vertex 9 0 0 vertex 0 9 0 vertex 0 0 9 endloop endfacet\n"
@@ -120,7 +127,9 @@ int main(int argc, char **argv) {
     default:
       size = binary_seed(bytes);
     }
-    if (i >= 3) size = fuzz_mutate(&state, likely, bytes, size, sizeof bytes); /* the seeds themselves first */
+    if (i >= 3)
+      size =
+          fuzz_mutate(&state, likely, bytes, size, sizeof bytes); /* the seeds themselves first */
     LLVMFuzzerTestOneInput(bytes, size);
   }
   printf("%ld files\n", rounds);

@@ -1,12 +1,12 @@
-/* Memory that runs out at every possible place: of a complete small design (parsing, surface, net, lamellas, sheets,
- * every writer) and of reading meshes. Each time control comes back to the recovery point, everything is given back,
- * and the next run works.
+/* Memory that runs out at every possible place: of a complete small design (parsing, surface, net,
+ * lamellas, sheets, every writer) and of reading meshes. Each time control comes back to the
+ * recovery point, everything is given back, and the next run works.
  *
- * Allocations of an arena come out of blocks, so a failing block stands for any of the allocations that fill the one
- * before. To hit others than the few at the end of a block, part of the first block is used up beforehand, by another
- * amount each time. */
-#include "design/build.h"
+ * Allocations of an arena come out of blocks, so a failing block stands for any of the allocations
+ * that fill the one before. To hit others than the few at the end of a block, part of the first
+ * block is used up beforehand, by another amount each time. */
 #include "design/design.h"
+#include "design/pipeline_run.h"
 #include "formats/format.h"
 
 #include <malloc.h>
@@ -18,7 +18,10 @@
 #include <cmocka.h>
 #include <string.h>
 
-enum { block = 1 << 18, piece = 1 << 9 }; /* of core/arena.c; other values only change which allocations are hit */
+enum {
+  block = 1 << 18,
+  piece = 1 << 9
+}; /* of core/arena.c; other values only change which allocations are hit */
 
 static const char design_text[] = "lamella: 1\nname: small\nsurface: {kind: enneper, size: 4 m}\n"
                                   "net: {kind: asymptotic, grid: [4, 4], orthogonal: yes}\n"
@@ -32,28 +35,32 @@ static const char stl_text[] =
     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
     "endfacet\nendsolid s\n";
 
-static bool load(void *context, lam_arena *arena, const char *path, lam_place place, lam_errors *errors,
-                 lam_trimesh *mesh) {
+static bool load(void *context, lam_arena *arena, const char *path, lam_location location,
+                 lam_errors *errors, lam_trimesh *mesh) {
   (void)context;
-  return lam_format_for(path)->read_triangles(arena, obj_text, strlen(obj_text), place, errors, mesh);
+  return lam_format_for(path)->read_triangles(arena, obj_text, strlen(obj_text), location, errors,
+                                              mesh);
 }
 
 enum { said_so = 1 };
 
-/* A design from text to files; returns the bytes that it makes. Checks of the parts have memory of their own: when that
- * runs out, the build goes on, and the report must say that a stage has not succeeded. */
+/* A design from text to files; returns the bytes that it makes. Checks of the parts have memory of
+ * their own: when that runs out, the build goes on, and the report must say that a stage has not
+ * succeeded. */
 static size_t make(lam_arena *arena, lam_errors *errors, const char *text) {
   lam_design design;
   lam_model model;
   lam_loader loader = {.triangles = load};
-  if (!lam_design_parse(arena, text, strlen(text), "small.yaml", NULL, 0, errors, &design)) return 0;
+  if (!lam_design_parse(arena, text, strlen(text), "small.yaml", NULL, 0, errors, &design))
+    return 0;
   if (!lam_design_build(arena, &design, &loader, NULL, errors, &model)) return 0;
   for (int i = 0; i < model.report->stage_count; i++) model.report->stages[i].seconds = 0;
   if (!lam_report_converged(model.report)) return said_so;
   size_t bytes = 0;
   for (int k = 0; k < lam_format_count; k++) {
     const lam_format *format = lam_formats[k];
-    for (int i = 0; format->write && i < format->count(&model); i++) { /* the picture is rendered by a program */
+    for (int i = 0; format->write && i < format->count(&model);
+         i++) { /* the picture is rendered by a program */
       lam_text path = {.arena = arena}, out = {.arena = arena};
       format->path(&model, i, &path);
       if (format->write(&model, i, &out) != LAM_OK) return 0;
@@ -63,19 +70,24 @@ static size_t make(lam_arena *arena, lam_errors *errors, const char *text) {
   return bytes;
 }
 
-static size_t make_design(lam_arena *arena, lam_errors *errors) { return make(arena, errors, design_text); }
-static size_t make_near(lam_arena *arena, lam_errors *errors) { return make(arena, errors, near_text); }
+static size_t make_design(lam_arena *arena, lam_errors *errors) {
+  return make(arena, errors, design_text);
+}
+static size_t make_near(lam_arena *arena, lam_errors *errors) {
+  return make(arena, errors, near_text);
+}
 
 static size_t read_meshes(lam_arena *arena, lam_errors *errors) {
   lam_mesh quads;
   lam_trimesh triangles;
-  lam_place place = {"mesh", 0, 0};
+  lam_location location = {"mesh", 0, 0};
   const lam_format *obj = lam_format_for("a.obj"), *stl = lam_format_for("a.stl");
   size_t read = 0;
-  if (obj->read_mesh(arena, obj_text, strlen(obj_text), place, errors, &quads)) read += (size_t)quads.vertex_count;
-  if (obj->read_triangles(arena, obj_text, strlen(obj_text), place, errors, &triangles))
+  if (obj->read_mesh(arena, obj_text, strlen(obj_text), location, errors, &quads))
+    read += (size_t)quads.vertex_count;
+  if (obj->read_triangles(arena, obj_text, strlen(obj_text), location, errors, &triangles))
     read += (size_t)triangles.triangle_count;
-  if (stl->read_triangles(arena, stl_text, strlen(stl_text), place, errors, &triangles))
+  if (stl->read_triangles(arena, stl_text, strlen(stl_text), location, errors, &triangles))
     read += (size_t)triangles.triangle_count;
   return read;
 }
@@ -85,11 +97,16 @@ static size_t exchange_splines(lam_arena *arena, lam_errors *errors) {
   static const char *const files[][2] = {
       {"step", "a.step"}, {"iges", "a.igs"}, {"surface", "a.json"}, {"surface_obj", "a.obj"}};
   static const double u[] = {0, 0, 0, 1, 1, 1}, v[] = {0, 0, 2, 2}, weights[] = {1, 2, 3, 4, 5, 6};
-  static const lam_vec3 points[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, .25}};
+  static const lam_vec3 points[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0},
+                                    {1, 1, 0}, {2, 0, 0}, {2, 1, .25}};
   lam_spline_surface roof = {"roof", {2, 1}, {3, 2}, {u, v}, points, weights};
   lam_named_curve line = {"A01", 0, {2, 3, u, points, weights}};
-  lam_model model = {
-      .name = "splines", .version = "0", .surface_count = 1, .surfaces = &roof, .curve_count = 1, .curves = &line};
+  lam_model model = {.name = "splines",
+                     .version = "0",
+                     .surface_count = 1,
+                     .surfaces = &roof,
+                     .curve_count = 1,
+                     .curves = &line};
   size_t read = 0;
   for (int f = 0; f < 4; f++)
     for (int k = 0; k < lam_format_count; k++) {
@@ -97,21 +114,24 @@ static size_t exchange_splines(lam_arena *arena, lam_errors *errors) {
       lam_text text = {.arena = arena};
       lam_spline_list surfaces;
       lam_curve_list curves;
-      lam_place place = {files[f][1], 0, 0};
+      lam_location location = {files[f][1], 0, 0};
       const lam_format *reads = lam_format_for(files[f][1]);
       if (lam_formats[k]->write(&model, 0, &text) != LAM_OK) return 0;
-      if (reads->read_surfaces(arena, text.data, text.length, place, errors, &surfaces)) read += (size_t)surfaces.count;
-      if (reads->read_curves(arena, text.data, text.length, place, errors, &curves)) read += (size_t)curves.count;
+      if (reads->read_surfaces(arena, text.data, text.length, location, errors, &surfaces))
+        read += (size_t)surfaces.count;
+      if (reads->read_curves(arena, text.data, text.length, location, errors, &curves))
+        read += (size_t)curves.count;
     }
   return read;
 }
 
 /* What goes wrong on purpose: messages take memory too. */
 static size_t complain(lam_arena *arena, lam_errors *errors) {
-  static const char wrong[] =
-      "lamella: 1\nname: wrong\nsurfaces: {kind: enneper}\nnet: {kind: asymptotik, grid: [1]}\nsheets: 7\n";
+  static const char wrong[] = "lamella: 1\nname: wrong\nsurfaces: {kind: enneper}\nnet: {kind: "
+                              "asymptotik, grid: [1]}\nsheets: 7\n";
   lam_design design;
-  if (lam_design_parse(arena, wrong, strlen(wrong), "wrong.yaml", NULL, 0, errors, &design)) return 0;
+  if (lam_design_parse(arena, wrong, strlen(wrong), "wrong.yaml", NULL, 0, errors, &design))
+    return 0;
   size_t bytes = 0;
   for (const lam_error *e = errors->first; e; e = e->next) bytes += strlen(e->text);
   errors->count = 0;
@@ -120,8 +140,8 @@ static size_t complain(lam_arena *arena, lam_errors *errors) {
 
 typedef size_t (*task)(lam_arena *arena, lam_errors *errors);
 
-/* One run in which allocation number `failing` fails and `used` bytes of the first block are gone beforehand. Returns
- * the bytes made, 0 when memory ran out. */
+/* One run in which allocation number `failing` fails and `used` bytes of the first block are gone
+ * beforehand. Returns the bytes made, 0 when memory ran out. */
 static size_t run(task work, long failing, size_t used) {
   lam_alloc_fail_after(failing);
   lam_arena *arena = lam_arena_new();
@@ -134,32 +154,37 @@ static size_t run(task work, long failing, size_t used) {
   lam_errors *errors = LAM_NEW(arena, lam_errors, 1);
   errors->arena = arena;
   size_t made = work(arena, errors);
-  if (errors->count) fail_msg("allocation %ld, %zu bytes used: %s", failing, used, errors->first->text);
+  if (errors->count)
+    fail_msg("allocation %ld, %zu bytes used: %s", failing, used, errors->first->text);
   lam_arena_free(arena);
   return made;
 }
 
-/* Fails allocations with the first block used up to different degrees, from `first` to `last` of `steps`. Every step
- * takes each stride-th allocation, another one than the step before. Returns the number of failures. */
-static long fail_everywhere(task work, int first, int last, int steps, int stride, size_t expected) {
+/* Fails allocations with the first block used up to different degrees, from `first` to `last` of
+ * `steps`. Every step takes each stride-th allocation, another one than the step before. Returns
+ * the number of failures. */
+static long fail_everywhere(task work, int first, int last, int steps, int stride,
+                            size_t expected) {
   long failures = 0;
   for (int step = first; step < last; step++) {
     size_t used = (size_t)block * (size_t)step / (size_t)steps;
     for (long n = step % stride;; n += stride, failures++) {
       size_t made = run(work, n, used);
       bool failed = lam_alloc_fail_after(-1) > n; /* the allocation that was to fail has come */
-      if (!failed && made != expected) fail_msg("%zu bytes instead of %zu after failures", made, expected);
+      if (!failed && made != expected)
+        fail_msg("%zu bytes instead of %zu after failures", made, expected);
       if (failed && made && made != expected && made != said_so)
-        fail_msg("allocation %ld, %zu bytes used: %zu bytes instead of %zu, and nobody says so", n, used, made,
-                 expected);
+        fail_msg("allocation %ld, %zu bytes used: %zu bytes instead of %zu, and nobody says so", n,
+                 used, made, expected);
       if (!failed) break;
     }
   }
   return failures;
 }
 
-/* Libraries and the allocator keep something of the first times: in the second half of the steps, the memory in use
- * grows by no more than a page and a few bytes per failure. (A leak sanitizer sees the rest.) */
+/* Libraries and the allocator keep something of the first times: in the second half of the steps,
+ * the memory in use grows by no more than a page and a few bytes per failure. (A leak sanitizer
+ * sees the rest.) */
 static void exhaust(task work, int steps, int stride) {
   size_t expected = run(work, -1, 0);
   assert_true(expected > said_so);

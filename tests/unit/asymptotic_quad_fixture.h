@@ -1,9 +1,10 @@
-/* What the tests of asymptotic quadrilaterals share: cases from tests/cases/asymptotic-quads, and evaluation of spline
- * surfaces by de Boor's algorithm on control points and their differences, which the program does not use. */
+/* What the tests of asymptotic quadrilaterals share: cases from tests/cases/asymptotic-quads, and
+ * evaluation of spline surfaces by de Boor's algorithm on control points and their differences,
+ * which the program does not use. */
 #ifndef LAM_TESTS_ASYMPTOTIC_QUAD_FIXTURE_H
 #define LAM_TESTS_ASYMPTOTIC_QUAD_FIXTURE_H
 
-#include "surf/asymptotic_quad.h"
+#include "surf/asymptotic/asymptotic_quad.h"
 #include "tests/unit/net_fixture.h"
 #include <jansson.h>
 
@@ -33,7 +34,8 @@ static inline int quad_tear_down(void **state) {
 /* The cases of a file. */
 static inline json_t *quad_cases(quad_fixture *f, const char *name) {
   json_error_t error;
-  f->file = json_load_file(lam_arena_printf(f->arena, "tests/cases/asymptotic-quads/%s", name), 0, &error);
+  f->file = json_load_file(lam_arena_printf(f->arena, "tests/cases/asymptotic-quads/%s", name), 0,
+                           &error);
   if (!f->file) fail_msg("%s: %s, line %d", name, error.text, error.line);
   return json_object_get(f->file, "cases");
 }
@@ -57,9 +59,10 @@ static inline lam_quad_form quad_form(const json_t *name) {
 
 static const int quad_ends[4][2] = {{0, 1}, {0, 2}, {2, 3}, {1, 3}};
 
-/* Corner data of a case. Tangents from the second control points of a boundary of this degree: r' = n / u (P1 - P0), u
- * the first inner knot or 1. */
-static inline lam_quad_corners quad_corners(const json_t *c, const json_t *tangent_points, int degree) {
+/* Corner data of a case. Tangents from the second control points of a boundary of this degree: r' =
+ * n / u (P1 - P0), u the first inner knot or 1. */
+static inline lam_quad_corners quad_corners(const json_t *c, const json_t *tangent_points,
+                                            int degree) {
   lam_quad_corners q = {.weight = {1, 1, 1, 1}};
   json_t *knots = json_object_get(c, "knots"), *curvature = json_object_get(c, "curvature");
   for (int k = 0; k < 4; k++) {
@@ -81,8 +84,8 @@ static inline lam_quad_corners quad_corners(const json_t *c, const json_t *tange
 }
 
 /* De Boor's algorithm: count homogeneous points of 4 numbers, at t. The points are overwritten. */
-static inline void quad_de_boor(int degree, int count, const double *knots, double t, double (*points)[4],
-                                double result[4]) {
+static inline void quad_de_boor(int degree, int count, const double *knots, double t,
+                                double (*points)[4], double result[4]) {
   int span = degree;
   while (span < count - 1 && t >= knots[span + 1]) span++;
   for (int r = 1; r <= degree; r++)
@@ -94,12 +97,13 @@ static inline void quad_de_boor(int degree, int count, const double *knots, doub
 }
 
 /* The derivative of this order of a curve: differences of the points, then de Boor. */
-static inline void quad_derivative(int degree, int count, const double *knots, int order, double t, double (*points)[4],
-                                   double result[4]) {
+static inline void quad_derivative(int degree, int count, const double *knots, int order, double t,
+                                   double (*points)[4], double result[4]) {
   for (int k = 0; k < order; k++) {
     for (int i = 0; i < count - 1; i++) {
       double width = knots[i + degree + 1] - knots[i + 1];
-      for (int c = 0; c < 4; c++) points[i][c] = width > 0 ? degree * (points[i + 1][c] - points[i][c]) / width : 0;
+      for (int c = 0; c < 4; c++)
+        points[i][c] = width > 0 ? degree * (points[i + 1][c] - points[i][c]) / width : 0;
     }
     degree--;
     count--;
@@ -137,28 +141,32 @@ static inline void quad_jet(const lam_spline_surface *s, double u, double v, lam
   lam_vec3 xv = jet[0][1] = lam_scale(lam_along(H(0, 1), -W(0, 1), x), w);
   jet[2][0] = lam_scale(lam_along(lam_along(H(2, 0), -2 * W(1, 0), xu), -W(2, 0), x), w);
   jet[0][2] = lam_scale(lam_along(lam_along(H(0, 2), -2 * W(0, 1), xv), -W(0, 2), x), w);
-  jet[1][1] = lam_scale(lam_along(lam_along(lam_along(H(1, 1), -W(1, 0), xv), -W(0, 1), xu), -W(1, 1), x), w);
+  jet[1][1] = lam_scale(
+      lam_along(lam_along(lam_along(H(1, 1), -W(1, 0), xv), -W(0, 1), xu), -W(1, 1), x), w);
 #undef H
 #undef W
 }
 
-/* The boundary is asymptotic: |k_n| / k and the sine between normal and binormal at 101 parameters of each curve; for a
- * straight curve, that it is straight: distance from its chord. */
-static inline void quad_assert_asymptotic(const char *id, const lam_spline_surface *s, const lam_quad_corners *q,
-                                          double tolerance) {
+/* The boundary is asymptotic: |k_n| / k and the sine between normal and binormal at 101 parameters
+ * of each curve; for a straight curve, that it is straight: distance from its chord. */
+static inline void quad_assert_asymptotic(const char *id, const lam_spline_surface *s,
+                                          const lam_quad_corners *q, double tolerance) {
   for (int i = 0; i < 4; i++)
     for (int g = 1; g <= 101; g++) {
       double t = g / 102.0 + 1e-4 * (g == 34 || g == 51 || g == 68); /* off simple knots */
       lam_vec3 jet[3][3];
       quad_jet(s, i % 2 ? i / 2 : t, i % 2 ? t : i / 2, jet);
-      lam_vec3 normal = lam_unit(lam_cross(jet[1][0], jet[0][1])), d = i % 2 ? jet[0][1] : jet[1][0];
+      lam_vec3 normal = lam_unit(lam_cross(jet[1][0], jet[0][1])),
+               d = i % 2 ? jet[0][1] : jet[1][0];
       lam_vec3 dd = i % 2 ? jet[0][2] : jet[2][0], bend = lam_cross(d, dd);
-      double kn = fabs(lam_dot(normal, dd)) / lam_dot(d, d), k = lam_length(bend) / pow(lam_length(d), 3);
+      double kn = fabs(lam_dot(normal, dd)) / lam_dot(d, d),
+             k = lam_length(bend) / pow(lam_length(d), 3);
       if (q->side[i][0] == 0) {
         lam_vec3 chord = lam_sub(q->corner[quad_ends[i][1]], q->corner[quad_ends[i][0]]);
         lam_vec3 at = lam_sub(jet[0][0], q->corner[quad_ends[i][0]]);
         double off = lam_length(lam_cross(chord, at)) / lam_dot(chord, chord);
-        if (!(off <= tolerance)) fail_msg("%s: r%d is %g of its length off the chord at %g", id, i + 1, off, t);
+        if (!(off <= tolerance))
+          fail_msg("%s: r%d is %g of its length off the chord at %g", id, i + 1, off, t);
         continue;
       }
       double sine = lam_length(lam_cross(normal, lam_unit(bend)));
@@ -169,25 +177,28 @@ static inline void quad_assert_asymptotic(const char *id, const lam_spline_surfa
 }
 
 /* Torsions of the two curves at every corner add up to 0 (in units of the size of the patch). */
-static inline void quad_assert_torsions(const char *id, const lam_quad_boundary *b, const lam_quad_corners *q) {
+static inline void quad_assert_torsions(const char *id, const lam_quad_boundary *b,
+                                        const lam_quad_corners *q) {
   static const int meeting[4][4] = {{0, 0, 1, 0}, {0, 1, 3, 0}, {2, 0, 1, 1}, {2, 1, 3, 1}};
   double size = lam_distance(q->corner[0], q->corner[3]);
   for (int c = 0; c < 4; c++) {
     const int *m = meeting[c];
     if (q->side[m[0]][0] == 0 || q->side[m[2]][0] == 0) continue;
     double sum = b->torsion[m[0]][m[1]] + b->torsion[m[2]][m[3]];
-    if (!(fabs(sum) * size <= 1e-10)) fail_msg("%s: torsions at corner %d add up to %g", id, c, sum);
+    if (!(fabs(sum) * size <= 1e-10))
+      fail_msg("%s: torsions at corner %d add up to %g", id, c, sum);
   }
 }
 
-static inline void quad_assert_close(const char *id, const char *what, double value, double expected, double relative) {
+static inline void quad_assert_close(const char *id, const char *what, double value,
+                                     double expected, double relative) {
   if (!(fabs(value - expected) <= relative * fmax(fabs(expected), 1e-3)))
     fail_msg("%s: %s is %.12g, expected %.12g within %g", id, what, value, expected, relative);
 }
 
 /* A table [curve][end] of expected values, when the case has it. */
-static inline void quad_assert_table(const char *id, const json_t *expected, const char *key, double values[4][2],
-                                     double relative) {
+static inline void quad_assert_table(const char *id, const json_t *expected, const char *key,
+                                     double values[4][2], double relative) {
   const json_t *table = json_object_get(expected, key);
   for (int i = 0; table && i < 4; i++)
     for (int e = 0; e < 2; e++)
@@ -195,29 +206,34 @@ static inline void quad_assert_table(const char *id, const json_t *expected, con
 }
 
 /* Points of the surface, within a fraction of its size. */
-static inline void quad_assert_points(const char *id, const json_t *expected, const lam_spline_surface *s,
-                                      double relative) {
-  const json_t *params = json_object_get(expected, "params"), *points = json_object_get(expected, "points");
+static inline void quad_assert_points(const char *id, const json_t *expected,
+                                      const lam_spline_surface *s, double relative) {
+  const json_t *params = json_object_get(expected, "params"),
+               *points = json_object_get(expected, "points");
   double size = lam_distance(s->points[0], s->points[s->count[0] * s->count[1] - 1]);
   for (size_t a = 0; a < json_array_size(params); a++)
     for (size_t b = 0; b < json_array_size(params); b++) {
       lam_vec3 jet[3][3], want = quad_vector(json_array_get(json_array_get(points, a), b));
       quad_jet(s, quad_number(params, a), quad_number(params, b), jet);
       double distance = lam_distance(jet[0][0], want) / size;
-      if (!(distance <= relative)) fail_msg("%s: point %zu, %zu is %g of the size away", id, a, b, distance);
+      if (!(distance <= relative))
+        fail_msg("%s: point %zu, %zu is %g of the size away", id, a, b, distance);
     }
 }
 
 /* Makes the surface of one expectation and checks what all have in common. */
-static inline lam_asymptotic_patch quad_check(quad_fixture *f, const json_t *c, const json_t *expected, int degree,
-                                              double relative, double points) {
+static inline lam_asymptotic_patch quad_check(quad_fixture *f, const json_t *c,
+                                              const json_t *expected, int degree, double relative,
+                                              double points) {
   const char *name = json_string_value(json_object_get(c, "id"));
-  const char *id = lam_arena_printf(f->arena, "%s %s", name, json_string_value(json_object_get(expected, "form")));
-  const json_t *own = json_object_get(expected, "tangent_points"); /* rounded otherwise than those of the case */
+  const char *id = lam_arena_printf(f->arena, "%s %s", name,
+                                    json_string_value(json_object_get(expected, "form")));
+  const json_t *own =
+      json_object_get(expected, "tangent_points"); /* rounded otherwise than those of the case */
   lam_quad_corners q = quad_corners(c, own ? own : json_object_get(c, "tangent_points"), degree);
   lam_asymptotic_patch patch;
-  bool made = lam_asymptotic_patch_make(f->arena, &q, quad_form(json_object_get(expected, "form")), (lam_place){0},
-                                        &f->errors, &patch);
+  bool made = lam_asymptotic_patch_make(f->arena, &q, quad_form(json_object_get(expected, "form")),
+                                        (lam_location){0}, &f->errors, &patch);
   if (!made) fail_msg("%s: %s", id, f->errors.first ? f->errors.first->text : "no message");
   quad_assert_asymptotic(id, &patch.surface, &q, 1e-10);
   quad_assert_torsions(id, &patch.boundary, &q);
@@ -229,10 +245,12 @@ static inline lam_asymptotic_patch quad_check(quad_fixture *f, const json_t *c, 
     quad_assert_table(id, expected, "curvature", patch.boundary.curvature, relative);
   const json_t *bending = json_object_get(expected, "boundary_energy"),
                *plate = json_object_get(expected, "thin_plate");
-  if (bending) quad_assert_close(id, "boundary energy", patch.boundary.energy, json_number_value(bending), relative);
+  if (bending)
+    quad_assert_close(id, "boundary energy", patch.boundary.energy, json_number_value(bending),
+                      relative);
   quad_assert_close(id, "thin-plate energy", patch.energy, json_number_value(plate), relative);
-  quad_assert_close(id, "energy by another rule", lam_thin_plate_energy(f->arena, &patch.surface, 20), patch.energy,
-                    1e-9);
+  quad_assert_close(id, "energy by another rule",
+                    lam_thin_plate_energy(f->arena, &patch.surface, 20), patch.energy, 1e-9);
   quad_assert_points(id, expected, &patch.surface, points);
   return patch;
 }

@@ -3,7 +3,7 @@
 #define LAM_TESTS_CURVE_FIXTURE_H
 
 #include "core/arena.h"
-#include "curve/basis.h"
+#include "curve/bspline/basis.h"
 #include "curve/curve.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -39,13 +39,15 @@ static inline lam_vec3 next_point(void) {
   return lam_v3(x, y, next_in(-1, 1));
 }
 
-/* count functions over uneven knots of [1, 4]; the second inner knot is double where degree and count allow it. */
+/* count functions over uneven knots of [1, 4]; the second inner knot is double where degree and
+ * count allow it. */
 static inline double *next_knots(int degree, int count, bool clamp) {
   int total = count + degree + 1;
   double *knots = LAM_NEW(arena, double, total);
   for (int i = 1; i < total; i++) knots[i] = knots[i - 1] + next_in(0.3, 1.2);
   double low = knots[degree], high = knots[count];
-  for (int i = 0; i < total; i++) knots[i] = i == degree ? 1 : i == count ? 4 : 1 + 3 * (knots[i] - low) / (high - low);
+  for (int i = 0; i < total; i++)
+    knots[i] = i == degree ? 1 : i == count ? 4 : 1 + 3 * (knots[i] - low) / (high - low);
   for (int i = 0; clamp && i < total; i++) knots[i] = fmin(4, fmax(1, knots[i]));
   if (degree > 1 && count > degree + 3) knots[degree + 2] = knots[degree + 3];
   return knots;
@@ -70,18 +72,19 @@ static inline lam_vec3 point_at(const lam_spline_curve *curve, double t) {
 }
 
 static inline void near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance)) fail_msg("%.15g, expected %.15g +- %.1e", value, expected, tolerance);
+  if (!(fabs(value - expected) <= tolerance))
+    fail_msg("%.15g, expected %.15g +- %.1e", value, expected, tolerance);
 }
 
 static inline void near3(lam_vec3 value, lam_vec3 expected, double tolerance) {
   if (!(lam_distance(value, expected) <= tolerance))
-    fail_msg("(%.15g, %.15g, %.15g), expected (%.15g, %.15g, %.15g) +- %.1e", value.x, value.y, value.z, expected.x,
-             expected.y, expected.z, tolerance);
+    fail_msg("(%.15g, %.15g, %.15g), expected (%.15g, %.15g, %.15g) +- %.1e", value.x, value.y,
+             value.z, expected.x, expected.y, expected.z, tolerance);
 }
 
 /* Both curves are the same at 40 random parameters of [low, high] and at its ends. */
-static inline void same_curve(const lam_spline_curve *a, const lam_spline_curve *b, double low, double high,
-                              double tolerance) {
+static inline void same_curve(const lam_spline_curve *a, const lam_spline_curve *b, double low,
+                              double high, double tolerance) {
   assert_null(lam_spline_curve_problem(b));
   for (int i = 0; i < 42; i++) {
     double t = i == 0 ? low : i == 1 ? high : next_in(low, high);

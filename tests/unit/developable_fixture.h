@@ -1,11 +1,12 @@
-/* What the tests of nearly developable surfaces share: the boundaries of tests/cases/developable. */
+/* What the tests of nearly developable surfaces share: the boundaries of tests/cases/developable.
+ */
 #ifndef LAM_TESTS_DEVELOPABLE_FIXTURE_H
 #define LAM_TESTS_DEVELOPABLE_FIXTURE_H
 
 #include "core/arena.h"
-#include "curve/basis.h"
-#include "surf/coons_patch.h"
-#include "surf/developable.h"
+#include "curve/bspline/basis.h"
+#include "surf/developable/developable.h"
+#include "surf/spline/coons_patch.h"
 #include <jansson.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -39,7 +40,9 @@ static inline int dev_tear_down(void **state) {
 
 #define DEV_TEST(function) cmocka_unit_test_setup_teardown(function, dev_set_up, dev_tear_down)
 
-static inline const char *dev_name(const json_t *c) { return json_string_value(json_object_get(c, "name")); }
+static inline const char *dev_name(const json_t *c) {
+  return json_string_value(json_object_get(c, "name"));
+}
 static inline double dev_number(const json_t *c, const char *key) {
   json_t *value = json_object_get(c, key);
   if (!json_is_number(value)) fail_msg("%s has no number %s", dev_name(c), key);
@@ -84,20 +87,25 @@ static inline lam_spline_surface dev_coons(lam_arena *arena, const json_t *c) {
 /* The surface of least ||K||_2 over the boundary of a case. */
 static inline lam_spline_surface dev_solved(lam_arena *arena, const json_t *c) {
   lam_spline_surface s = dev_coons(arena, c);
-  lam_developable_result r = lam_developable_solve(arena, &s, (lam_developable_options){.power = 2});
+  lam_developable_result r =
+      lam_developable_solve(arena, &s, (lam_developable_options){.power = 2});
   if (!r.converged) fail_msg("%s: %s", dev_name(c), r.reason);
   return s;
 }
 
 /* Fails, with the case and both numbers, when value is off by more than the share. */
-static inline void dev_close(const char *name, const char *what, double value, double expected, double share) {
+static inline void dev_close(const char *name, const char *what, double value, double expected,
+                             double share) {
   if (!(fabs(value - expected) <= share * fabs(expected)))
-    fail_msg("%s: %s is %.12g, expected %.12g (off by %.2g)", name, what, value, expected, value / expected - 1);
+    fail_msg("%s: %s is %.12g, expected %.12g (off by %.2g)", name, what, value, expected,
+             value / expected - 1);
 }
 
 /* Fails, naming the place, when value is further than tolerance from expected. */
-#define dev_near(value, expected, tolerance) dev_near_at(value, expected, tolerance, __FILE__, __LINE__)
-static inline void dev_near_at(double value, double expected, double tolerance, const char *file, int line) {
+#define dev_near(value, expected, tolerance)                                                       \
+  dev_near_at(value, expected, tolerance, __FILE__, __LINE__)
+static inline void dev_near_at(double value, double expected, double tolerance, const char *file,
+                               int line) {
   if (!(fabs(value - expected) <= tolerance))
     fail_msg("%s:%d: %.12g, expected %.12g within %.2g", file, line, value, expected, tolerance);
 }

@@ -9,9 +9,9 @@
 
 #include <cmocka.h>
 
-#include "fab/lamella_checks.h"
-#include "fab/lamella_make.h"
-#include "net/net.h"
+#include "fab/lamella/lamella_checks.h"
+#include "fab/lamella/lamella_make.h"
+#include "mesh/net.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,8 @@ static inline lam_mesh fixture_obj(lam_arena *arena, const char *path, double sc
   while (fgets(line, sizeof line, file)) {
     lam_vec3 v;
     int f[4];
-    if (sscanf(line, "v %lf %lf %lf", &v.x, &v.y, &v.z) == 3) mesh.vertices[mesh.vertex_count++] = lam_scale(v, scale);
+    if (sscanf(line, "v %lf %lf %lf", &v.x, &v.y, &v.z) == 3)
+      mesh.vertices[mesh.vertex_count++] = lam_scale(v, scale);
     if (sscanf(line, "f %d %d %d %d", &f[0], &f[1], &f[2], &f[3]) == 4) {
       for (int k = 0; k < 4; k++) mesh.faces[mesh.face_count][k] = f[k] - 1;
       mesh.face_count++;
@@ -37,10 +38,12 @@ static inline lam_mesh fixture_obj(lam_arena *arena, const char *path, double sc
 }
 
 /* A grid of n x m vertices at f(u, v) for u, v evenly in [-1, 1]. */
-static inline lam_mesh fixture_grid(lam_arena *arena, int n, int m, lam_vec3 (*f)(double u, double v)) {
+static inline lam_mesh fixture_grid(lam_arena *arena, int n, int m,
+                                    lam_vec3 (*f)(double u, double v)) {
   lam_mesh mesh = lam_mesh_grid(arena, n, m, false, false);
   for (int i = 0; i < n; i++)
-    for (int j = 0; j < m; j++) mesh.vertices[i * m + j] = f(2.0 * i / (n - 1) - 1, 2.0 * j / (m - 1) - 1);
+    for (int j = 0; j < m; j++)
+      mesh.vertices[i * m + j] = f(2.0 * i / (n - 1) - 1, 2.0 * j / (m - 1) - 1);
   return mesh;
 }
 
@@ -49,13 +52,15 @@ static inline lam_workshop fixture_workshop(lam_arena *arena, const lam_mesh *me
   lam_errors *errors = LAM_NEW(arena, lam_errors, 1);
   lam_net *net = LAM_NEW(arena, lam_net, 1);
   errors->arena = arena;
-  if (!lam_net_build(arena, mesh, (lam_place){0}, errors, net)) fail_msg("%s", errors->first->text);
+  if (!lam_net_build(arena, mesh, (lam_location){0}, errors, net))
+    fail_msg("%s", errors->first->text);
   lam_vec3 *normals = LAM_NEW(arena, lam_vec3, mesh->vertex_count);
   lam_net_normals(net, net->mesh.vertices, normals);
   return (lam_workshop){.arena = arena, .errors = errors, .net = net, .normals = normals};
 }
 
-/* 100 mm x 2 mm, single, extended by 0.1 m, clearance 0.25 mm, half-lap, no scissoring: the start for every test. */
+/* 100 mm x 2 mm, single, extended by 0.1 m, clearance 0.25 mm, half-lap, no scissoring: the start
+ * for every test. */
 static inline lam_lamella_keys fixture_keys(void) {
   static int families[2] = {0, 1};
   return (lam_lamella_keys){.families = {2, families},
@@ -70,13 +75,15 @@ static inline lam_lamella_keys fixture_keys(void) {
 static inline void fixture_make(lam_workshop *shop, const char *kind, const void *keys) {
   const lam_part_kind *row = (const lam_part_kind *)lam_registry_find(&lam_part_kinds, kind);
   assert_non_null(row);
-  row->make(shop, keys, (lam_place){"test", 1, 1});
+  row->make(shop, keys, (lam_location){"test", 1, 1});
 }
 
-static inline const lam_measure *fixture_measure(const lam_workshop *shop, const char *stage, const char *name) {
+static inline const lam_measure *fixture_measure(const lam_workshop *shop, const char *stage,
+                                                 const char *name) {
   for (int i = 0; i < shop->stage_count; i++)
     for (int k = 0; k < shop->stages[i].measure_count; k++)
-      if (strcmp(shop->stages[i].name, stage) == 0 && strcmp(shop->stages[i].measures[k].name, name) == 0)
+      if (strcmp(shop->stages[i].name, stage) == 0 &&
+          strcmp(shop->stages[i].measures[k].name, name) == 0)
         return &shop->stages[i].measures[k];
   fail_msg("no measure %s of %s", name, stage);
   return NULL;

@@ -1,4 +1,5 @@
-/* What tests of files of curves and surfaces share: numbers, surfaces, files that other programs might have written. */
+/* What tests of files of curves and surfaces share: numbers, surfaces, files that other programs
+ * might have written. */
 #ifndef LAM_TESTS_FILES_FIXTURE_H
 #define LAM_TESTS_FILES_FIXTURE_H
 
@@ -14,7 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const lam_format lam_format_surface, lam_format_step, lam_format_iges, lam_format_surface_obj, lam_format_obj;
+extern const lam_format lam_format_surface, lam_format_step, lam_format_iges,
+    lam_format_surface_obj, lam_format_obj;
 
 static inline int set_up(void **state) { return (*state = lam_arena_new()) == NULL; }
 static inline int tear_down(void **state) {
@@ -35,8 +37,8 @@ static inline double next_number(uint64_t *state) {
   return (double)(*state >> 11) / 9007199254740992.0;
 }
 
-static inline lam_spline_surface some_surface(lam_arena *arena, int p, int q, int n, int m, bool rational,
-                                              bool clamped) {
+static inline lam_spline_surface some_surface(lam_arena *arena, int p, int q, int n, int m,
+                                              bool rational, bool clamped) {
   lam_spline_surface s = {.name = "surface", .degree = {p, q}, .count = {n, m}};
   uint64_t state = (uint64_t)(1000 * p + 100 * q + 10 * n + m);
   for (int d = 0; d < 2; d++) {
@@ -44,7 +46,8 @@ static inline lam_spline_surface some_surface(lam_arena *arena, int p, int q, in
     double *knots = LAM_NEW(arena, double, total), t = -0.3;
     for (int i = 0; i < total; i++) {
       bool inside = i > s.degree[d] && i <= s.count[d];
-      if (!clamped || inside) t += i == s.degree[d] + 2 ? 0 : next_number(&state); /* one inner knot stands twice */
+      if (!clamped || inside)
+        t += i == s.degree[d] + 2 ? 0 : next_number(&state); /* one inner knot stands twice */
       knots[i] = t;
     }
     s.knots[d] = knots;
@@ -62,8 +65,11 @@ static inline lam_spline_surface some_surface(lam_arena *arena, int p, int q, in
 }
 
 static inline lam_model model_of(const lam_spline_surface *surfaces, int count) {
-  return (lam_model){
-      .name = "it-s", .title = "Peter's \\ t\u00e9nt", .version = "0", .surface_count = count, .surfaces = surfaces};
+  return (lam_model){.name = "it-s",
+                     .title = "Peter's \\ t\u00e9nt",
+                     .version = "0",
+                     .surface_count = count,
+                     .surfaces = surfaces};
 }
 
 static inline lam_text written(lam_arena *arena, const lam_format *format, const lam_model *model) {
@@ -73,19 +79,22 @@ static inline lam_text written(lam_arena *arena, const lam_format *format, const
   return text;
 }
 
-static inline bool try_read(lam_arena *arena, const lam_format *format, const char *bytes, size_t size,
-                            lam_spline_list *list, const char **message) {
+static inline bool try_read(lam_arena *arena, const lam_format *format, const char *bytes,
+                            size_t size, lam_spline_list *list, const char **message) {
   lam_errors errors = {.arena = arena};
-  bool good = format->read_surfaces(arena, bytes, size, (lam_place){.file = "x"}, &errors, list);
+  bool good = format->read_surfaces(arena, bytes, size, (lam_location){.file = "x"}, &errors, list);
   assert_int_equal(errors.count, good ? 0 : 1); /* one message */
-  *message = good ? NULL : lam_arena_printf(arena, "%d: %s", errors.first->place.line, errors.first->text);
+  *message =
+      good ? NULL
+           : lam_arena_printf(arena, "%d: %s", errors.first->location.line, errors.first->text);
   return good;
 }
 
 static inline lam_spline_list read_back(lam_arena *arena, const lam_format *format, lam_text text) {
   lam_spline_list list;
   const char *message;
-  if (!try_read(arena, format, text.data, text.length, &list, &message)) fail_msg("%s: %s", format->name, message);
+  if (!try_read(arena, format, text.data, text.length, &list, &message))
+    fail_msg("%s: %s", format->name, message);
   return list;
 }
 
@@ -104,7 +113,8 @@ static inline void add_line(lam_text *text, const char *data, char section, int 
 }
 
 typedef struct bad_case {
-  const char *old, *by, *message; /* what is replaced in a good file, by what, and what is said then */
+  const char *old, *by,
+      *message; /* what is replaced in a good file, by what, and what is said then */
 } bad_case;
 
 #define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)

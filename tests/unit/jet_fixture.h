@@ -1,6 +1,6 @@
-/* Curvatures of a grid net by a jet fit: in the frame of the vertex normal, the height of the 5 x 5 vertices around is
- * fitted by a polynomial of degree 4 (least squares); K and H come from its derivatives at the vertex. Nothing of the
- * solver is used. */
+/* Curvatures of a grid net by a jet fit: in the frame of the vertex normal, the height of the 5 x 5
+ * vertices around is fitted by a polynomial of degree 4 (least squares); K and H come from its
+ * derivatives at the vertex. Nothing of the solver is used. */
 #ifndef LAM_TESTS_JET_FIXTURE_H
 #define LAM_TESTS_JET_FIXTURE_H
 
@@ -27,7 +27,8 @@ static inline void jet_solve(double A[jet_terms][jet_terms], double b[jet_terms]
 }
 
 /* At vertex (i, j) of a grid with m vertices per row, at least two rows from the border. */
-static inline jet_curvature jet_fit(const lam_vec3 *x, const lam_vec3 *normals, int m, int i, int j) {
+static inline jet_curvature jet_fit(const lam_vec3 *x, const lam_vec3 *normals, int m, int i,
+                                    int j) {
   int c = i * m + j;
   double scale = lam_distance(x[c], x[c + 1]);
   lam_vec3 n = normals[c], a = lam_sub(x[c + m], x[c]);
@@ -49,7 +50,8 @@ static inline jet_curvature jet_fit(const lam_vec3 *x, const lam_vec3 *normals, 
   jet_solve(A, rhs);
   double p = rhs[1], q = rhs[2], r = 2 * rhs[3], s = rhs[4], t = 2 * rhs[5], g = 1 + p * p + q * q;
   return (jet_curvature){(r * t - s * s) / (g * g) / (scale * scale),
-                         ((1 + q * q) * r - 2 * p * q * s + (1 + p * p) * t) / (2 * pow(g, 1.5)) / scale};
+                         ((1 + q * q) * r - 2 * p * q * s + (1 + p * p) * t) / (2 * pow(g, 1.5)) /
+                             scale};
 }
 
 #endif

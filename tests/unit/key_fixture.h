@@ -1,4 +1,5 @@
-/* Messages of the design language, one after the other, for the files tests/unit/test_keys.c and test_design.c. */
+/* Messages of the design language, one after the other, for the files tests/unit/test_keys.c and
+ * test_design.c. */
 #ifndef TESTS_UNIT_KEY_FIXTURE_H
 #define TESTS_UNIT_KEY_FIXTURE_H
 
@@ -32,15 +33,16 @@ static int end(void **state) {
   return 0;
 }
 
-/* All messages, one per line, as "line:column: key: text" or "file: key: text" when there is no line. */
+/* All messages, one per line, as "line:column: key: text" or "file: key: text" when there is no
+ * line. */
 static const char *messages(run *r) {
   lam_text text = {.arena = r->arena};
   lam_text_add(&text, "");
   for (const lam_error *error = r->errors.first; error; error = error->next) {
-    if (error->place.line)
-      lam_text_printf(&text, "%d:%d: ", error->place.line, error->place.column);
+    if (error->location.line)
+      lam_text_printf(&text, "%d:%d: ", error->location.line, error->location.column);
     else
-      lam_text_printf(&text, "%s: ", error->place.file ? error->place.file : "-");
+      lam_text_printf(&text, "%s: ", error->location.file ? error->location.file : "-");
     if (error->key) lam_text_printf(&text, "%s: ", error->key);
     lam_text_printf(&text, "%s\n", error->text);
   }

@@ -2,7 +2,7 @@
 #ifndef LAM_TESTS_LEAST_AREA_FIXTURE_H
 #define LAM_TESTS_LEAST_AREA_FIXTURE_H
 
-#include "surf/least_area.h"
+#include "surf/area/least_area.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -53,7 +53,8 @@ static inline double area_expected(const area_fixture *f, const char *name, cons
 
 /* The boundary of a case; inner points at the origin, with weight 1. */
 static inline lam_spline_surface area_boundary(const area_fixture *f, const char *name) {
-  const json_t *c = area_case(f, name), *net = json_object_get(c, "net"), *knots = json_object_get(c, "knots");
+  const json_t *c = area_case(f, name), *net = json_object_get(c, "net"),
+               *knots = json_object_get(c, "knots");
   lam_spline_surface s = {.degree = {3, 3}, .count = {(int)json_array_size(net), 0}};
   s.count[1] = (int)json_array_size(json_array_get(net, 0));
   for (int d = 0; d < 2; d++) {
@@ -65,7 +66,8 @@ static inline lam_spline_surface area_boundary(const area_fixture *f, const char
   lam_vec3 *points = LAM_NEW(f->arena, lam_vec3, s.count[0] * s.count[1]);
   double *weights = LAM_NEW(f->arena, double, s.count[0] * s.count[1]);
   for (int k = 0; k < s.count[0] * s.count[1]; k++) {
-    const json_t *p = json_array_get(json_array_get(net, (size_t)(k / s.count[1])), (size_t)(k % s.count[1]));
+    const json_t *p =
+        json_array_get(json_array_get(net, (size_t)(k / s.count[1])), (size_t)(k % s.count[1]));
     weights[k] = 1;
     if (!json_is_array(p)) continue;
     for (size_t i = 0; i < 3; i++) (&points[k].x)[i] = json_number_value(json_array_get(p, i));
@@ -76,8 +78,8 @@ static inline lam_spline_surface area_boundary(const area_fixture *f, const char
   return s;
 }
 
-static inline void assert_relative(double value, double expected, double tolerance, const char *name,
-                                   const char *what) {
+static inline void assert_relative(double value, double expected, double tolerance,
+                                   const char *name, const char *what) {
   if (fabs(value / expected - 1) <= tolerance) return;
   fail_msg("%s, %s: %.12g, expected %.12g (off by %.2e, allowed %.1e)", name, what, value, expected,
            value / expected - 1, tolerance);

@@ -2,23 +2,28 @@
 #ifndef LAM_TESTS_MESH_FIXTURE_H
 #define LAM_TESTS_MESH_FIXTURE_H
 
-#include "core/mesh.h"
+#include "core/numbers.h"
+#include "core/solid/triangles.h"
 
 /* Fails with both values when they differ by more than the tolerance. */
-#define assert_near(value, expected, tolerance)                                                                        \
-  do {                                                                                                                 \
-    double value_ = (value), expected_ = (expected);                                                                   \
-    if (!(fabs(value_ - expected_) <= (tolerance))) fail_msg("%s is %.17g, not %.17g", #value, value_, expected_);     \
+#define assert_near(value, expected, tolerance)                                                    \
+  do {                                                                                             \
+    double value_ = (value), expected_ = (expected);                                               \
+    if (!(fabs(value_ - expected_) <= (tolerance)))                                                \
+      fail_msg("%s is %.17g, not %.17g", #value, value_, expected_);                               \
   } while (0)
 
-static const double mesh_pi = 3.14159265358979323846;
+static const double mesh_pi = LAM_PI;
 
 /* A closed box from a to b: volume is the product of its sides, 8 vertices, 12 triangles. */
 static inline lam_trimesh mesh_box(lam_arena *arena, lam_vec3 a, lam_vec3 b) {
-  static const int triangles[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  lam_trimesh mesh = {8, LAM_NEW(arena, lam_vec3, 8), 12, lam_arena_alloc(arena, 12, sizeof *mesh.triangles)};
-  for (int i = 0; i < 8; i++) mesh.vertices[i] = lam_v3(i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z);
+  static const int triangles[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                       {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                       {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  lam_trimesh mesh = {8, LAM_NEW(arena, lam_vec3, 8), 12,
+                      lam_arena_alloc(arena, 12, sizeof *mesh.triangles)};
+  for (int i = 0; i < 8; i++)
+    mesh.vertices[i] = lam_v3(i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z);
   for (int i = 0; i < 12; i++)
     for (int k = 0; k < 3; k++) mesh.triangles[i][k] = triangles[i][k];
   return mesh;
@@ -35,7 +40,8 @@ static inline lam_trimesh mesh_torus(lam_arena *arena, double R, double r, int n
   for (int i = 0; i < n; i++)
     for (int j = 0; j < m; j++) {
       double u = 2 * mesh_pi * i / n, v = 2 * mesh_pi * j / m, c = R + r * cos(v);
-      int a = i * m + j, b = (i + 1) % n * m + j, d = i * m + (j + 1) % m, e = (i + 1) % n * m + (j + 1) % m;
+      int a = i * m + j, b = (i + 1) % n * m + j, d = i * m + (j + 1) % m,
+          e = (i + 1) % n * m + (j + 1) % m;
       mesh.vertices[a] = lam_v3(c * cos(u), c * sin(u), r * sin(v));
       int *t = mesh.triangles[mesh.triangle_count++], *s = mesh.triangles[mesh.triangle_count++];
       t[0] = a, t[1] = b, t[2] = e;
@@ -44,7 +50,8 @@ static inline lam_trimesh mesh_torus(lam_arena *arena, double R, double r, int n
   return mesh;
 }
 
-/* A closed bar through n sections of four corners, which run counterclockwise seen from the far end. */
+/* A closed bar through n sections of four corners, which run counterclockwise seen from the far
+ * end. */
 static inline lam_trimesh mesh_tube(lam_arena *arena, int n, lam_vec3 (*sections)[4]) {
   lam_trimesh mesh = {4 * n, &sections[0][0], 0, NULL};
   mesh.triangles = lam_arena_alloc(arena, 8 * (size_t)n, sizeof *mesh.triangles);
@@ -56,7 +63,8 @@ static inline lam_trimesh mesh_tube(lam_arena *arena, int n, lam_vec3 (*sections
       t[0] = a, t[1] = b, t[2] = b + 4;
     }
   for (int k = 1; k < 3; k++) {
-    int *s = mesh.triangles[mesh.triangle_count++], *t = mesh.triangles[mesh.triangle_count++], last = 4 * (n - 1);
+    int *s = mesh.triangles[mesh.triangle_count++], *t = mesh.triangles[mesh.triangle_count++],
+        last = 4 * (n - 1);
     s[0] = 0, s[1] = k + 1, s[2] = k;
     t[0] = last, t[1] = last + k, t[2] = last + k + 1;
   }

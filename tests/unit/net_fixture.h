@@ -2,9 +2,10 @@
 #ifndef LAM_TESTS_NET_FIXTURE_H
 #define LAM_TESTS_NET_FIXTURE_H
 
+#include "core/numbers.h"
 #include "design/design.h"
-#include "net/kind.h"
-#include "net/start.h"
+#include "net/net_kind.h"
+#include "net/trace/start.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -17,19 +18,20 @@
 #include <string.h>
 
 /* Fails with both values when they differ by more than the tolerance (NaN fails too). */
-#define assert_near(value, expected, tolerance)                                                                        \
-  do {                                                                                                                 \
-    double value_ = (value), expected_ = (expected);                                                                   \
-    if (!(fabs(value_ - expected_) <= (tolerance)))                                                                    \
-      fail_msg("%s is %.17g, expected %.17g within %g", #value, value_, expected_, (double)(tolerance));               \
+#define assert_near(value, expected, tolerance)                                                    \
+  do {                                                                                             \
+    double value_ = (value), expected_ = (expected);                                               \
+    if (!(fabs(value_ - expected_) <= (tolerance)))                                                \
+      fail_msg("%s is %.17g, expected %.17g within %g", #value, value_, expected_,                 \
+               (double)(tolerance));                                                               \
   } while (0)
-#define assert_below(value, limit)                                                                                     \
-  do {                                                                                                                 \
-    double value_ = (value), limit_ = (limit);                                                                         \
-    if (!(value_ <= limit_)) fail_msg("%s is %.17g, expected at most %g", #value, value_, limit_);                     \
+#define assert_below(value, limit)                                                                 \
+  do {                                                                                             \
+    double value_ = (value), limit_ = (limit);                                                     \
+    if (!(value_ <= limit_)) fail_msg("%s is %.17g, expected at most %g", #value, value_, limit_); \
   } while (0)
 
-static const double net_pi = 3.14159265358979323846;
+static const double net_pi = LAM_PI;
 
 typedef struct net_fixture {
   lam_arena *arena;
@@ -64,13 +66,14 @@ static inline void net_no_errors(const net_fixture *f, const char *what) {
 
 static inline lam_net net_built(net_fixture *f, const lam_mesh *mesh) {
   lam_net net;
-  lam_net_build(f->arena, mesh, (lam_place){0}, &f->errors, &net);
+  lam_net_build(f->arena, mesh, (lam_location){0}, &f->errors, &net);
   net_no_errors(f, "building a net");
   return net;
 }
 
 /* A grid at f(i, j). */
-static inline lam_mesh net_grid(lam_arena *arena, int n, int m, lam_vec3 (*at)(double i, double j)) {
+static inline lam_mesh net_grid(lam_arena *arena, int n, int m,
+                                lam_vec3 (*at)(double i, double j)) {
   lam_mesh mesh = lam_mesh_grid(arena, n, m, false, false);
   for (int i = 0; i < n; i++)
     for (int j = 0; j < m; j++) mesh.vertices[i * m + j] = at(i, j);
@@ -79,7 +82,9 @@ static inline lam_mesh net_grid(lam_arena *arena, int n, int m, lam_vec3 (*at)(d
 
 static inline lam_vec3 net_plane(double i, double j) { return lam_v3(i, j, 0); }
 /* K < 0 everywhere: z = x y / 6. */
-static inline lam_vec3 net_saddle(double i, double j) { return lam_v3(i, j, (i - 2) * (j - 2.5) / 6); }
+static inline lam_vec3 net_saddle(double i, double j) {
+  return lam_v3(i, j, (i - 2) * (j - 2.5) / 6);
+}
 
 /* A torus of n x m vertices, closed in both directions: Euler number 0. */
 static inline lam_mesh net_torus(lam_arena *arena, int n, int m, double R, double r) {
@@ -103,12 +108,16 @@ static inline lam_mesh net_tube(lam_arena *arena, int n, int m) {
   return mesh;
 }
 
-/* The cube [-1, 1]^3, faces counterclockwise seen from outside; vertex k has x, y, z from the bits 1, 2, 4 of k. */
+/* The cube [-1, 1]^3, faces counterclockwise seen from outside; vertex k has x, y, z from the bits
+ * 1, 2, 4 of k. */
 static inline lam_mesh net_cube(lam_arena *arena) {
-  static const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  lam_mesh mesh = {8, LAM_NEW(arena, lam_vec3, 8), 6, (int(*)[4])lam_arena_alloc(arena, 6, sizeof *mesh.faces)};
+  static const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  lam_mesh mesh = {8, LAM_NEW(arena, lam_vec3, 8), 6,
+                   (int(*)[4])lam_arena_alloc(arena, 6, sizeof *mesh.faces)};
   memcpy(mesh.faces, faces, sizeof faces);
-  for (int k = 0; k < 8; k++) mesh.vertices[k] = lam_v3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+  for (int k = 0; k < 8; k++)
+    mesh.vertices[k] = lam_v3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
   return mesh;
 }
 
@@ -120,17 +129,19 @@ static inline lam_mesh net_round_cube(net_fixture *f) {
 }
 
 /* A net's start on a surface: kind and keys as in a design. */
-static inline lam_mesh net_sampled(net_fixture *f, const char *surface, const char *keys, lam_chart chart, int n, int m,
-                                   int hole) {
+static inline lam_mesh net_sampled(net_fixture *f, const char *surface, const char *keys,
+                                   lam_chart chart, int n, int m, int hole) {
   const lam_row_head *head = lam_registry_find(&lam_surfaces, surface);
   assert_non_null(head);
   lam_row row = {.head = head, .params = lam_arena_alloc(f->arena, 1, head->params_size + 1)};
-  if (head->keys) lam_keys_parse(f->arena, head->keys, keys, strlen(keys), NULL, &f->errors, row.params);
+  if (head->keys)
+    lam_keys_parse(f->arena, head->keys, keys, strlen(keys), NULL, &f->errors, row.params);
   lam_surface made = lam_surface_make(f->arena, &row, &f->errors);
   net_no_errors(f, surface);
-  lam_surface_place placing = {0};
+  lam_placement_keys placing = {0};
   lam_mesh mesh = {0};
-  lam_net_start(f->arena, &made, chart, (int[2]){n, m}, hole, &placing, (lam_place){0}, &f->errors, &mesh, NULL);
+  lam_net_start(f->arena, &made, chart, (int[2]){n, m}, hole, &placing, (lam_location){0},
+                &f->errors, &mesh, NULL);
   return mesh;
 }
 
@@ -141,14 +152,16 @@ static inline lam_mesh net_monkey(net_fixture *f, int n, int hole) {
 
 /* Vertices and quads of an OBJ file. */
 static inline lam_mesh net_obj(lam_arena *arena, const char *path) {
-  lam_mesh mesh = {0, LAM_NEW(arena, lam_vec3, 4096), 0, (int(*)[4])lam_arena_alloc(arena, 4096, sizeof *mesh.faces)};
+  lam_mesh mesh = {0, LAM_NEW(arena, lam_vec3, 4096), 0,
+                   (int(*)[4])lam_arena_alloc(arena, 4096, sizeof *mesh.faces)};
   char line[256];
   FILE *file = fopen(path, "r");
   if (!file) fail_msg("cannot open %s", path);
   while (file && fgets(line, sizeof line, file)) {
     lam_vec3 v;
     int f[4];
-    if (sscanf(line, "v %lf %lf %lf", &v.x, &v.y, &v.z) == 3) mesh.vertices[mesh.vertex_count++] = v;
+    if (sscanf(line, "v %lf %lf %lf", &v.x, &v.y, &v.z) == 3)
+      mesh.vertices[mesh.vertex_count++] = v;
     if (sscanf(line, "f %d %d %d %d", &f[0], &f[1], &f[2], &f[3]) == 4) {
       for (int k = 0; k < 4; k++) mesh.faces[mesh.face_count][k] = f[k] - 1;
       mesh.face_count++;

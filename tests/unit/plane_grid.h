@@ -1,27 +1,32 @@
-/* A lamella grid in the plane z = 0, for tests of flat patterns and sheets: n strips of family 0 along x and n of
- * family 1 at an angle to them, `spacing` apart along the strips, single or paired. Positions are exact, so that
- * lengths, slots and areas are known in closed form. */
+/* A lamella grid in the plane z = 0, for tests of flat patterns and sheets: n strips of family 0
+ * along x and n of family 1 at an angle to them, `spacing` apart along the strips, single or
+ * paired. Positions are exact, so that lengths, slots and areas are known in closed form. */
 #ifndef LAM_TESTS_PLANE_GRID_H
 #define LAM_TESTS_PLANE_GRID_H
 
-#include "fab/flat.h"
-#include "fab/lamella_make.h"
+#include "fab/lamella/lamella_flat.h"
+#include "fab/lamella/lamella_make.h"
 
-/* For cmocka tests: doubles within tolerance (cmocka's own comparison rounds to float). Include cmocka.h first. */
-#define assert_near(value, expected, tolerance)                                                                        \
-  do {                                                                                                                 \
-    double value_ = (value), expected_ = (expected);                                                                   \
-    if (!(fabs(value_ - expected_) <= (tolerance)))                                                                    \
-      fail_msg("%s is %.17g, expected %.17g within %g", #value, value_, expected_, (double)(tolerance));               \
+/* For cmocka tests: doubles within tolerance (cmocka's own comparison rounds to float). Include
+ * cmocka.h first. */
+#define assert_near(value, expected, tolerance)                                                    \
+  do {                                                                                             \
+    double value_ = (value), expected_ = (expected);                                               \
+    if (!(fabs(value_ - expected_) <= (tolerance)))                                                \
+      fail_msg("%s is %.17g, expected %.17g within %g", #value, value_, expected_,                 \
+               (double)(tolerance));                                                               \
   } while (0)
 
 static inline lam_station plane_station(lam_vec3 origin, lam_vec3 t, double s) {
-  return (lam_station){.x = lam_along(origin, s, t), .t = t, .m = {0, 0, 1}, .s = s, .partner = -1, .crossing = -1};
+  return (lam_station){
+      .x = lam_along(origin, s, t), .t = t, .m = {0, 0, 1}, .s = s, .partner = -1, .crossing = -1};
 }
 
-/* Strips begin `extend` before their first node. Sheets of a pair stand at -+pair/2 along b = m x t. */
-static inline lam_lamella_grid *plane_grid(lam_arena *arena, int n, double spacing, double angle, double height,
-                                           double thickness, double pair, double clearance, double extend) {
+/* Strips begin `extend` before their first node. Sheets of a pair stand at -+pair/2 along b = m x
+ * t. */
+static inline lam_lamella_grid *plane_grid(lam_arena *arena, int n, double spacing, double angle,
+                                           double height, double thickness, double pair,
+                                           double clearance, double extend) {
   lam_lamella_grid *grid = LAM_NEW(arena, lam_lamella_grid, 1);
   int sheets = pair > 0 ? 2 : 1;
   *grid = (lam_lamella_grid){.height = height,
@@ -38,15 +43,16 @@ static inline lam_lamella_grid *plane_grid(lam_arena *arena, int n, double spaci
     lam_vec3 b = lam_cross(lam_v3(0, 0, 1), t[family]);
     lam_vec3 first = lam_scale(t[1 - family], lamella * spacing);
     lam_sheet_strip *strip = &grid->strips[i];
-    *strip = (lam_sheet_strip){.name = lam_arena_printf(arena, "%c%02d%s", 'A' + family, lamella + 1,
-                                                        sheets == 1 ? ""
-                                                        : sheet     ? "b"
-                                                                    : "a"),
-                               .family = family,
-                               .number = lamella + 1,
-                               .group = family * n + lamella,
-                               .offset = offset,
-                               .part = i};
+    *strip =
+        (lam_sheet_strip){.name = lam_arena_printf(arena, "%c%02d%s", 'A' + family, lamella + 1,
+                                                   sheets == 1 ? ""
+                                                   : sheet     ? "b"
+                                                               : "a"),
+                          .family = family,
+                          .number = lamella + 1,
+                          .group = family * n + lamella,
+                          .offset = offset,
+                          .part = i};
     strip->stations = LAM_NEW(arena, lam_station, n * sheets + 2);
     lam_vec3 origin = lam_along(lam_along(first, offset, b), -extend, t[family]);
     strip->stations[strip->station_count++] = plane_station(origin, t[family], 0);

@@ -1,4 +1,5 @@
-/* Normal equations the slow and plain way: dense, one element after the other, from the kernels alone. */
+/* Normal equations the slow and plain way: dense, one element after the other, from the kernels
+ * alone. */
 #ifndef LAM_TESTS_SOLVE_FIXTURE_H
 #define LAM_TESTS_SOLVE_FIXTURE_H
 
@@ -13,12 +14,14 @@ typedef struct dense_system {
 } dense_system;
 
 static inline double dense_weight(const lam_block *block, lam_weights weights) {
-  double role[] = {[LAM_HARD] = weights.hard, [LAM_SOFT] = weights.soft, [LAM_FAIRNESS] = weights.fairness};
+  double role[] = {
+      [LAM_HARD] = weights.hard, [LAM_SOFT] = weights.soft, [LAM_FAIRNESS] = weights.fairness};
   return block->weight * role[block->role];
 }
 
 /* Local unknowns of an element: their places in x go to at, the number is returned. */
-static inline int element_unknowns(const lam_problem *problem, const lam_block *block, int element, int *at) {
+static inline int element_unknowns(const lam_problem *problem, const lam_block *block, int element,
+                                   int *at) {
   int n = 0;
   for (int i = 0; i < block->arity; i++) {
     int node = block->nodes[element * block->arity + i];
@@ -32,13 +35,14 @@ static inline const double *element_params(const lam_block *block, int element) 
 }
 
 /* H = sum w^2 J'J, g = sum w^2 J'r over the free unknowns. */
-static inline dense_system dense_assemble(lam_arena *arena, const lam_problem *problem, const double *x,
-                                          lam_weights weights) {
+static inline dense_system dense_assemble(lam_arena *arena, const lam_problem *problem,
+                                          const double *x, lam_weights weights) {
   int all = problem->offset[problem->node_count], *column = LAM_NEW(arena, int, all),
       *at = LAM_NEW(arena, int, all + 64);
   dense_system d = {0};
   for (int v = 0; v < problem->node_count; v++)
-    for (int c = 0; c < problem->size[v]; c++) column[problem->offset[v] + c] = problem->fixed[v] ? -1 : d.n++;
+    for (int c = 0; c < problem->size[v]; c++)
+      column[problem->offset[v] + c] = problem->fixed[v] ? -1 : d.n++;
   d.H = LAM_NEW(arena, double, d.n *d.n);
   d.g = LAM_NEW(arena, double, d.n);
   long hard = 0;
@@ -62,7 +66,8 @@ static inline dense_system dense_assemble(lam_arena *arena, const lam_problem *p
           if (column[at[i]] < 0) continue;
           d.g[column[at[i]]] += w * w * J[k * n + i] * r[k];
           for (int j = 0; j < n; j++)
-            if (column[at[j]] >= 0) d.H[column[at[i]] * d.n + column[at[j]]] += w * w * J[k * n + i] * J[k * n + j];
+            if (column[at[j]] >= 0)
+              d.H[column[at[i]] * d.n + column[at[j]]] += w * w * J[k * n + i] * J[k * n + j];
         }
       }
     }
@@ -72,7 +77,8 @@ static inline dense_system dense_assemble(lam_arena *arena, const lam_problem *p
 }
 
 /* The lower triangle of a system as a full symmetric matrix. */
-static inline double *dense_values(lam_arena *arena, const lam_system *system, const double *values) {
+static inline double *dense_values(lam_arena *arena, const lam_system *system,
+                                   const double *values) {
   int n = lam_system_size(system);
   const int *start = lam_system_columns(system), *row = lam_system_rows(system);
   double *H = LAM_NEW(arena, double, n *n);
@@ -82,12 +88,14 @@ static inline double *dense_values(lam_arena *arena, const lam_system *system, c
 }
 
 /* Fails unless the assembled system equals the dense one, to rounding. */
-static inline void assert_system(lam_arena *arena, const lam_problem *problem, const double *x, lam_weights weights) {
+static inline void assert_system(lam_arena *arena, const lam_problem *problem, const double *x,
+                                 lam_weights weights) {
   dense_system d = dense_assemble(arena, problem, x, weights);
   lam_system *system = lam_system_new(arena, problem);
   int n = lam_system_size(system);
   assert_int_equal(n, d.n);
-  double *values = LAM_NEW(arena, double, lam_system_columns(system)[n]), *gradient = LAM_NEW(arena, double, n);
+  double *values = LAM_NEW(arena, double, lam_system_columns(system)[n]),
+         *gradient = LAM_NEW(arena, double, n);
   lam_residual r = lam_system_assemble(system, x, weights, values, gradient);
   double *H = dense_values(arena, system, values), scale = 0, slope = 0;
   for (int i = 0; i < n * n; i++) scale = fmax(scale, fabs(d.H[i]));

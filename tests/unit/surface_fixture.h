@@ -1,4 +1,5 @@
-/* What the tests of surfaces share: surfaces made from design texts, a fixed sequence of random numbers, differences.
+/* What the tests of surfaces share: surfaces made from design texts, a fixed sequence of random
+ * numbers, differences.
  */
 #ifndef LAM_TESTS_SURFACE_FIXTURE_H
 #define LAM_TESTS_SURFACE_FIXTURE_H
@@ -42,13 +43,15 @@ static inline double next_in(lam_fixture *f, const double range[2]) {
   return range[0] + (range[1] - range[0]) * (0.03 + 0.94 * t);
 }
 
-/* The surface of this name with the keys of a design text ("" for the defaults); kind NULL when it is refused. */
+/* The surface of this name with the keys of a design text ("" for the defaults); kind NULL when it
+ * is refused. */
 static inline lam_surface make(lam_fixture *f, const char *name, const char *text) {
   const lam_row_head *head = lam_registry_find(&lam_surfaces, name);
   assert_non_null(head);
   lam_row row = {.head = head, .params = lam_arena_alloc(f->arena, 1, head->params_size + 1)};
   if (!*text) text = "{}";
-  if (head->keys && !lam_keys_parse(f->arena, head->keys, text, strlen(text), NULL, &f->errors, row.params))
+  if (head->keys &&
+      !lam_keys_parse(f->arena, head->keys, text, strlen(text), NULL, &f->errors, row.params))
     return (lam_surface){0};
   if (((const lam_surface_kind *)head)->reads_file) { /* stands for any that was read */
     lam_surface read = make(f, "bspline", "");
@@ -60,20 +63,23 @@ static inline lam_surface make(lam_fixture *f, const char *name, const char *tex
 /* The same, with the errors shown. */
 static inline lam_surface made(lam_fixture *f, const char *name, const char *text) {
   lam_surface surface = make(f, name, text);
-  for (const lam_error *e = f->errors.first; e; e = e->next) print_error("%s: %s: %s\n", name, e->key, e->text);
+  for (const lam_error *e = f->errors.first; e; e = e->next)
+    print_error("%s: %s: %s\n", name, e->key, e->text);
   assert_non_null(surface.kind);
   return surface;
 }
 
-static inline void assert_near(double value, double expected, double tolerance, const char *name, const char *what,
-                               double p, double q) {
+static inline void assert_near(double value, double expected, double tolerance, const char *name,
+                               const char *what, double p, double q) {
   if (fabs(value - expected) <= tolerance) return;
-  fail_msg("%s, %s at (%.6f, %.6f): %.12g, expected %.12g +- %.1e", name, what, p, q, value, expected, tolerance);
+  fail_msg("%s, %s at (%.6f, %.6f): %.12g, expected %.12g +- %.1e", name, what, p, q, value,
+           expected, tolerance);
 }
 
-static inline void assert_near3(lam_vec3 value, lam_vec3 expected, double tolerance, const char *name, const char *what,
-                                double p, double q) {
-  assert_near(lam_distance(value, expected), 0, tolerance * (1 + lam_length(expected)), name, what, p, q);
+static inline void assert_near3(lam_vec3 value, lam_vec3 expected, double tolerance,
+                                const char *name, const char *what, double p, double q) {
+  assert_near(lam_distance(value, expected), 0, tolerance * (1 + lam_length(expected)), name, what,
+              p, q);
 }
 
 /* Central differences, extrapolated to an error of order h^6. */

@@ -1,6 +1,6 @@
 /* Surfaces near points, as functions and as the kind `approximation`. */
-#include "surf/spline_edit.h"
-#include "surf/spline_near.h"
+#include "surf/spline/spline_edit.h"
+#include "surf/spline/spline_near.h"
 #include "tests/unit/surface_fixture.h"
 #include <stdio.h>
 
@@ -17,7 +17,8 @@ static lam_vec3 polynomial(double u, double v) {
   return lam_v3(4 * u + 0.3 * v * v, 3 * v - 0.5 * u * u, u * u * u - u * v + v * v);
 }
 
-/* Points of a polynomial give it back, when there are enough and fairness is 0; more knots change nothing. */
+/* Points of a polynomial give it back, when there are enough and fairness is 0; more knots change
+ * nothing. */
 static void test_polynomials_come_back(void **state) {
   lam_fixture *f = *state;
   enum { N = 300 };
@@ -34,7 +35,8 @@ static void test_polynomials_come_back(void **state) {
     assert_true(lam_surface_near(f->arena, &space, N, t, points, &s));
     for (int i = 0; i <= 10; i++)
       for (int j = 0; j <= 10; j++)
-        assert_near3(at(&s, i / 10.0, j / 10.0), polynomial(i / 10.0, j / 10.0), 1e-9, "near", "x", i, j);
+        assert_near3(at(&s, i / 10.0, j / 10.0), polynomial(i / 10.0, j / 10.0), 1e-9, "near", "x",
+                     i, j);
     double mean;
     assert_true(lam_surface_feet(&s, N, points, t, &mean) < 1e-9 && mean < 1e-10);
   }
@@ -45,8 +47,9 @@ static void test_polynomials_come_back(void **state) {
   assert_true(lam_surface_near(f->arena, &space, N, t, points, &s));
 }
 
-/* Places crowd at u = 0, with none in some of 9 even spans: these leave functions without points, knots chosen by the
- * places do not, and every span then holds one to four of the 20 rows of places. */
+/* Places crowd at u = 0, with none in some of 9 even spans: these leave functions without points,
+ * knots chosen by the places do not, and every span then holds one to four of the 20 rows of
+ * places. */
 static void test_knots_follow_the_points(void **state) {
   lam_fixture *f = *state;
   enum { N = 400 };
@@ -62,7 +65,8 @@ static void test_knots_follow_the_points(void **state) {
   assert_false(lam_surface_near(f->arena, &space, N, t, points, &s));
   space.knots[0] = lam_surface_knots(f->arena, 3, 18, N, t, 0);
   assert_true(lam_surface_near(f->arena, &space, N, t, points, &s));
-  for (int i = 0; i <= 10; i++) assert_near3(at(&s, i / 10.0, 0.3), polynomial(i / 10.0, 0.3), 1e-7, "near", "x", i, 0);
+  for (int i = 0; i <= 10; i++)
+    assert_near3(at(&s, i / 10.0, 0.3), polynomial(i / 10.0, 0.3), 1e-7, "near", "x", i, 0);
   const double *knots = lam_surface_knots(f->arena, 3, 12, N, t, 0);
   for (int i = 3; i < 12; i++) { /* 9 spans, 20 places 20 times over */
     int held = 0;
@@ -71,21 +75,24 @@ static void test_knots_follow_the_points(void **state) {
   }
 }
 
-static double objective(const lam_surface_space *space, const lam_spline_surface *s, int n, const lam_vec2 *t,
-                        const lam_vec3 *points) {
+static double objective(const lam_surface_space *space, const lam_spline_surface *s, int n,
+                        const lam_vec2 *t, const lam_vec3 *points) {
   enum { CELLS = 40 };
   double sum = 0, r = space->length[0] / space->length[1];
   for (int k = 0; k < n; k++) sum += pow(lam_distance(at(s, t[k].x, t[k].y), points[k]), 2) / n;
-  for (int i = 0; i < CELLS * CELLS; i++) { /* midpoints of cells inside the pieces: no quadrature of the program's */
+  for (int i = 0; i < CELLS * CELLS;
+       i++) { /* midpoints of cells inside the pieces: no quadrature of the program's */
     lam_vec3 x[9];
     lam_spline_surface_derivatives(s, (i / CELLS + 0.5) / CELLS, (i % CELLS + 0.5) / CELLS, 2, x);
-    double energy = lam_dot(x[6], x[6]) / (r * r) + 2 * lam_dot(x[4], x[4]) + r * r * lam_dot(x[2], x[2]);
+    double energy =
+        lam_dot(x[6], x[6]) / (r * r) + 2 * lam_dot(x[4], x[4]) + r * r * lam_dot(x[2], x[2]);
     sum += space->fairness * energy / (CELLS * CELLS);
   }
   return sum;
 }
 
-/* Moving any control point makes the stated sum larger: differences of it vanish (to the midpoint rule's error). */
+/* Moving any control point makes the stated sum larger: differences of it vanish (to the midpoint
+ * rule's error). */
 static void test_it_is_the_minimum(void **state) {
   lam_fixture *f = *state;
   enum { N = 60 };
@@ -110,7 +117,8 @@ static void test_it_is_the_minimum(void **state) {
       }
       *x = was;
       assert_true(side[0] > least && side[1] > least);
-      assert_near((side[1] - side[0]) / (side[0] + side[1] - 2 * least), 0, 0.02, "near", "slope", k, c);
+      assert_near((side[1] - side[0]) / (side[0] + side[1] - 2 * least), 0, 0.02, "near", "slope",
+                  k, c);
     }
 }
 
@@ -121,8 +129,9 @@ static lam_stage *report_of(lam_fixture *f, const lam_surface *s) {
   return stage;
 }
 
-/* A cloud of 400 points of z = sin x + y^2 / 9 with noise of +-2 cm, in no order: the surface is within 1.5 cm of the
- * true one inside, nearer than the points are; reported distances are those of the points. */
+/* A cloud of 400 points of z = sin x + y^2 / 9 with noise of +-2 cm, in no order: the surface is
+ * within 1.5 cm of the true one inside, nearer than the points are; reported distances are those of
+ * the points. */
 static void test_noise_is_taken_out(void **state) {
   lam_fixture *f = *state;
   const double x[] = {0, 6}, y[] = {0, 4}, noise[] = {-0.02, 0.02};
@@ -132,7 +141,8 @@ static void test_noise_is_taken_out(void **state) {
     text = lam_arena_printf(f->arena, "%s%s%.6f,%.6f,%.6f", text, k ? "," : "", p, q,
                             sin(p) + q * q / 9 + next_in(f, noise));
   }
-  lam_surface s = made(f, "approximation", lam_arena_printf(f->arena, "{count: [8, 6], points: [%s]}", text));
+  lam_surface s =
+      made(f, "approximation", lam_arena_printf(f->arena, "{count: [8, 6], points: [%s]}", text));
   double most = 0;
   for (int i = 1; i < 20; i++)
     for (int j = 1; j < 20; j++) {
@@ -142,20 +152,24 @@ static void test_noise_is_taken_out(void **state) {
     }
   if (!(most < 0.015)) fail_msg("%.4f m off the true surface", most);
   const lam_measure *m = &report_of(f, &s)->measures[0];
-  assert_true(m->max > 0.008 && m->max < 0.03 && m->mean > 0.004 && m->mean < 0.011 && m->count == 400);
+  assert_true(m->max > 0.008 && m->max < 0.03 && m->mean > 0.004 && m->mean < 0.011 &&
+              m->count == 400);
 }
 
-/* A grid over a half cylinder, which no plane can carry: radius 3. A fold would be lost in a cloud. */
+/* A grid over a half cylinder, which no plane can carry: radius 3. A fold would be lost in a cloud.
+ */
 static void test_a_grid_may_fold(void **state) {
   lam_fixture *f = *state;
   char *text = lam_arena_copy(f->arena, "");
   for (int k = 0; k < 21 * 5; k++) {
     double a = (k / 5) * acos(-1) / 20;
-    text = lam_arena_printf(f->arena, "%s%s%.9f,%d,%.9f", text, k ? "," : "", -3 * cos(a), 2 * (k % 5), 3 * sin(a));
+    text = lam_arena_printf(f->arena, "%s%s%.9f,%d,%.9f", text, k ? "," : "", -3 * cos(a),
+                            2 * (k % 5), 3 * sin(a));
   }
   lam_surface s =
       made(f, "approximation",
-           lam_arena_printf(f->arena, "{count: [9, 4], grid: [21, 5], fairness: 1e-9, points: [%s]}", text));
+           lam_arena_printf(f->arena,
+                            "{count: [9, 4], grid: [21, 5], fairness: 1e-9, points: [%s]}", text));
   for (int i = 0; i <= 40; i++) {
     lam_jet jet;
     lam_surface_eval(&s, i / 40.0, 0.37, &jet);
@@ -164,15 +178,17 @@ static void test_a_grid_may_fold(void **state) {
   assert_true(report_of(f, &s)->measures[0].max < 2e-3);
 }
 
-/* 900 points of a wave: 4 x 4 control points miss them by decimeters; the fewest that were tried and keep within a
- * centimeter are reported. A tenth of a micrometer is not reached with strong fairness. */
+/* 900 points of a wave: 4 x 4 control points miss them by decimeters; the fewest that were tried
+ * and keep within a centimeter are reported. A tenth of a micrometer is not reached with strong
+ * fairness. */
 static void test_within(void **state) {
   lam_fixture *f = *state;
   char *text = LAM_NEW(f->arena, char, 900 * 40);
   size_t used = 0;
   for (int k = 0; k < 900; k++) {
     double x = k / 30 * 0.3, y = k % 30 * 0.2;
-    used += (size_t)snprintf(text + used, 40, "%s%.3f,%.3f,%.6f", k ? "," : "", x, y, sin(x) * cos(0.7 * y));
+    used += (size_t)snprintf(text + used, 40, "%s%.3f,%.3f,%.6f", k ? "," : "", x, y,
+                             sin(x) * cos(0.7 * y));
   }
   lam_surface s = made(f, "approximation", lam_arena_printf(f->arena, "{points: [%s]}", text));
   assert_true(report_of(f, &s)->measures[0].max > 0.1);
@@ -183,7 +199,8 @@ static void test_within(void **state) {
   assert_true(stage->converged && stage->iterations > 1);
   assert_true(stage->measures[0].max <= 0.01);
   assert_true(spline->count[0] > 4 && spline->count[0] < 15);
-  s = made(f, "approximation", lam_arena_printf(f->arena, "{within: 0.1 um, fairness: 1, points: [%s]}", text));
+  s = made(f, "approximation",
+           lam_arena_printf(f->arena, "{within: 0.1 um, fairness: 1, points: [%s]}", text));
   stage = report_of(f, &s);
   spline = s.kind->spline(s.data);
   assert_false(stage->converged);
@@ -216,7 +233,8 @@ static void test_refusals(void **state) {
     f->errors = (lam_errors){.arena = f->arena};
     assert_null(make(f, "approximation", cases[i][0]).kind);
     assert_string_equal(f->errors.first->key, cases[i][1]);
-    if (!strstr(f->errors.first->text, cases[i][2])) fail_msg("%s: %s", cases[i][0], f->errors.first->text);
+    if (!strstr(f->errors.first->text, cases[i][2]))
+      fail_msg("%s: %s", cases[i][0], f->errors.first->text);
   }
 }
 

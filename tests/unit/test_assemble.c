@@ -2,9 +2,11 @@
 #include "solve/guided.h"
 #include "solve_fixture.h"
 
-/* A common sphere of vertices: nodes (vertex, sphere = center and radius); r = (|v - c|^2 / R^2 - 1) / 2. */
+/* A common sphere of vertices: nodes (vertex, sphere = center and radius); r = (|v - c|^2 / R^2 -
+ * 1) / 2. */
 static void on_sphere(int n, const double *x, const double *p, double *r, double *J) {
-  double R = x[6], d[3] = {x[0] - x[3], x[1] - x[4], x[2] - x[5]}, s = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  double R = x[6], d[3] = {x[0] - x[3], x[1] - x[4], x[2] - x[5]},
+         s = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
   (void)p;
   r[0] = .5 * (s / (R * R) - 1);
   if (!J) return;
@@ -40,7 +42,8 @@ static void twice(int n, const double *x, const double *p, double *r, double *J)
   J[0] = x[4], J[4] = x[0], J[8] = 2 * x[8], J[9] = -x[13], J[13] = -x[9];
 }
 
-/* A grid with planar stars, edges, fairness, closeness and the kernels above on extra nodes of 4, 1, 1 and 5 unknowns.
+/* A grid with planar stars, edges, fairness, closeness and the kernels above on extra nodes of 4,
+ * 1, 1 and 5 unknowns.
  */
 static lam_problem *mixed_problem(net_fixture *f, const lam_net *net) {
   static const double sphere[4] = {1, 2, 9, 8}, a[1] = {.3}, b[1] = {.9}, five[5] = {1, 2, 3, 4, 5};
@@ -50,9 +53,9 @@ static lam_problem *mixed_problem(net_fixture *f, const lam_net *net) {
   int ball = lam_problem_node(problem, 4, sphere), first = lam_problem_node(problem, 1, a);
   int second = lam_problem_node(problem, 1, b), other = lam_problem_node(problem, 5, five);
   lam_scope scope = {problem, net, 1, NULL, NULL, &f->errors, 0};
-  lam_con_planar_star.add(&scope, NULL, 3, (lam_place){0});
-  lam_con_fairness.add(&scope, NULL, .7, (lam_place){0});
-  lam_con_closeness.add(&scope, NULL, .2, (lam_place){0});
+  lam_con_planar_star.add(&scope, NULL, 3, (lam_location){0});
+  lam_con_fairness.add(&scope, NULL, .7, (lam_location){0});
+  lam_con_closeness.add(&scope, NULL, .2, (lam_location){0});
   lam_edge_length_add(&scope, "soft edges", LAM_SOFT, 1.5, (lam_edge_length_params){1.1, false});
   int count = net->mesh.vertex_count, *pairs = LAM_NEW(arena, int, 2 * count),
       *reversed = LAM_NEW(arena, int, 2 * count);
@@ -60,10 +63,13 @@ static lam_problem *mixed_problem(net_fixture *f, const lam_net *net) {
     pairs[2 * v] = reversed[2 * v + 1] = v;
     pairs[2 * v + 1] = reversed[2 * v] = ball;
   }
-  lam_problem_add(
-      problem,
-      (lam_block){
-          .name = "sphere", .kernel = on_sphere, .rows = 1, .weight = 2, .count = count, .arity = 2, .nodes = pairs});
+  lam_problem_add(problem, (lam_block){.name = "sphere",
+                                       .kernel = on_sphere,
+                                       .rows = 1,
+                                       .weight = 2,
+                                       .count = count,
+                                       .arity = 2,
+                                       .nodes = pairs});
   lam_problem_add(problem, (lam_block){.name = "sphere first",
                                        .kernel = sphere_first,
                                        .rows = 1,
@@ -91,7 +97,8 @@ static lam_problem *mixed_problem(net_fixture *f, const lam_net *net) {
                                        .count = 2,
                                        .arity = 4,
                                        .nodes = doubled});
-  lam_problem_add(problem, (lam_block){.name = "nothing", .kernel = twice, .rows = 1, .count = 0, .arity = 4});
+  lam_problem_add(
+      problem, (lam_block){.name = "nothing", .kernel = twice, .rows = 1, .count = 0, .arity = 4});
   return problem;
 }
 
@@ -110,7 +117,8 @@ static void sparse_equals_dense(void **state) {
   for (size_t i = 0; i < sizeof weights / sizeof *weights; i++) {
     assert_system(f->arena, problem, problem->x, weights[i]);
     double *elsewhere = LAM_NEW(f->arena, double, problem->offset[problem->node_count]);
-    for (int k = 0; k < problem->offset[problem->node_count]; k++) elsewhere[k] = problem->x[k] + .3 * net_random(f);
+    for (int k = 0; k < problem->offset[problem->node_count]; k++)
+      elsewhere[k] = problem->x[k] + .3 * net_random(f);
     assert_system(f->arena, problem, elsewhere, weights[i]);
   }
 }
@@ -131,7 +139,8 @@ static void fixed_nodes_have_no_columns(void **state) {
   }
 }
 
-/* Columns ascend with the diagonal first, the order is a permutation, unknowns are those of the free nodes in order. */
+/* Columns ascend with the diagonal first, the order is a permutation, unknowns are those of the
+ * free nodes in order. */
 static void the_pattern_is_well_formed(void **state) {
   net_fixture *f = *state;
   lam_net net = bumpy_net(f);
@@ -139,13 +148,15 @@ static void the_pattern_is_well_formed(void **state) {
   problem->fixed[0] = problem->fixed[6] = true;
   lam_system *system = lam_system_new(f->arena, problem);
   int n = lam_system_size(system);
-  const int *start = lam_system_columns(system), *row = lam_system_rows(system), *order = lam_system_order(system);
+  const int *start = lam_system_columns(system), *row = lam_system_rows(system),
+            *order = lam_system_order(system);
   const int *unknown = lam_system_unknowns(system);
   int *seen = LAM_NEW(f->arena, int, n), column = 0;
   assert_int_equal(start[0], 0);
   for (int c = 0; c < n; c++) {
     assert_int_equal(row[start[c]], c);
-    for (int k = start[c] + 1; k < start[c + 1]; k++) assert_true(row[k] > row[k - 1] && row[k] < n);
+    for (int k = start[c] + 1; k < start[c + 1]; k++)
+      assert_true(row[k] > row[k - 1] && row[k] < n);
     seen[order[c]]++;
   }
   for (int c = 0; c < n; c++) assert_int_equal(seen[c], 1);
@@ -155,7 +166,8 @@ static void the_pattern_is_well_formed(void **state) {
   assert_int_equal(column, n);
 }
 
-/* The worst block is named; a residual without derivatives is the same; damping changes the diagonal alone. */
+/* The worst block is named; a residual without derivatives is the same; damping changes the
+ * diagonal alone. */
 static void residuals_and_damping(void **state) {
   net_fixture *f = *state;
   lam_net net = bumpy_net(f);
@@ -168,7 +180,8 @@ static void residuals_and_damping(void **state) {
   lam_residual full = lam_system_assemble(system, problem->x, weights, values, gradient);
   lam_residual alone = lam_system_residual(system, problem->x, weights);
   assert_memory_equal(&full, &alone, sizeof full);
-  assert_string_equal(full.worst, "numbers"); /* .9 + 3 * .3 = 1.8 and .3 + 3 * .9 = 3: larger than all others */
+  assert_string_equal(
+      full.worst, "numbers"); /* .9 + 3 * .3 = 1.8 and .3 + 3 * .9 = 3: larger than all others */
   assert_near(full.max, 3, 1e-15);
   memcpy(damped, values, sizeof(double) * (size_t)entries);
   lam_system_damp(system, .25, damped);
@@ -212,10 +225,11 @@ static void solving_equals_elimination(void **state) {
   int n = lam_system_size(system), entries = lam_system_columns(system)[n];
   double *values = LAM_NEW(f->arena, double, entries), *gradient = LAM_NEW(f->arena, double, n);
   double *x = LAM_NEW(f->arena, double, n);
-  lam_factor *factor =
-      lam_factor_analyze(f->arena, n, lam_system_columns(system), lam_system_rows(system), lam_system_order(system));
+  lam_factor *factor = lam_factor_analyze(f->arena, n, lam_system_columns(system),
+                                          lam_system_rows(system), lam_system_order(system));
   for (int round = 0; round < 3; round++) {
-    lam_system_assemble(system, problem->x, (lam_weights){1, 1, 1. / (1 + round)}, values, gradient);
+    lam_system_assemble(system, problem->x, (lam_weights){1, 1, 1. / (1 + round)}, values,
+                        gradient);
     lam_system_damp(system, .1, values);
     double *dense = dense_values(f->arena, system, values), *b = LAM_NEW(f->arena, double, n);
     memcpy(b, gradient, sizeof(double) * (size_t)n);
@@ -232,8 +246,9 @@ static void solving_equals_elimination(void **state) {
   assert_true(stats.flops > 0 && stats.entries >= n);
 }
 
-/* A chain of n unknowns with diagonal d and neighbors -1: definite for d > 2, indefinite for d < 2 cos(pi / (n + 1)).
- * Small ones are factorized column by column, large dense ones in blocks: both must notice. */
+/* A chain of n unknowns with diagonal d and neighbors -1: definite for d > 2, indefinite for d < 2
+ * cos(pi / (n + 1)). Small ones are factorized column by column, large dense ones in blocks: both
+ * must notice. */
 static bool chain_is_definite(net_fixture *f, int n, int band, double d) {
   int *start = LAM_NEW(f->arena, int, n + 1), *row = LAM_NEW(f->arena, int, n *(band + 1)),
       *order = LAM_NEW(f->arena, int, n);
@@ -250,8 +265,10 @@ static bool chain_is_definite(net_fixture *f, int n, int band, double d) {
   }
   lam_factor *factor = lam_factor_analyze(f->arena, n, start, row, order);
   bool definite = lam_factor_refactor(factor, values);
-  for (int c = 0; c < n; c++) values[start[c]] = 2 * band + 1; /* afterwards a definite one works again */
-  if (!lam_factor_refactor(factor, values)) fail_msg("a definite matrix of %d unknowns is refused", n);
+  for (int c = 0; c < n; c++)
+    values[start[c]] = 2 * band + 1; /* afterwards a definite one works again */
+  if (!lam_factor_refactor(factor, values))
+    fail_msg("a definite matrix of %d unknowns is refused", n);
   lam_factor_solve(factor, b, b);
   double sum = (2 * band + 1) * b[0];
   for (int r = 1; r <= band; r++) sum -= b[r];
@@ -265,9 +282,12 @@ static void not_positive_definite_is_reported(void **state) {
   for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
     int n = sizes[i][0], band = sizes[i][1];
     assert_true(chain_is_definite(f, n, band, 2.01));
-    if (chain_is_definite(f, n, band, -1)) fail_msg("n = %d, band %d: a negative diagonal is accepted", n, band);
-    if (chain_is_definite(f, n, band, .3)) fail_msg("n = %d, band %d: an indefinite matrix is accepted", n, band);
-    if (chain_is_definite(f, n, band, 0)) fail_msg("n = %d, band %d: a zero diagonal is accepted", n, band);
+    if (chain_is_definite(f, n, band, -1))
+      fail_msg("n = %d, band %d: a negative diagonal is accepted", n, band);
+    if (chain_is_definite(f, n, band, .3))
+      fail_msg("n = %d, band %d: an indefinite matrix is accepted", n, band);
+    if (chain_is_definite(f, n, band, 0))
+      fail_msg("n = %d, band %d: a zero diagonal is accepted", n, band);
   }
 }
 
@@ -285,7 +305,8 @@ static void nodes_grow_and_keep_their_values(void **state) {
   assert_true(problem->fixed[1] && !problem->fixed[0] && !problem->fixed[202]);
   for (int i = 0; i < 200; i++) {
     assert_int_equal(problem->offset[4 + i] - problem->offset[3 + i], 1 + i % 8);
-    for (int c = 0; c <= i % 8; c++) assert_near(problem->x[problem->offset[3 + i] + c], 100 * i + c, 0);
+    for (int c = 0; c <= i % 8; c++)
+      assert_near(problem->x[problem->offset[3 + i] + c], 100 * i + c, 0);
   }
   lam_vec3 back[3];
   lam_problem_positions(problem, back);
@@ -307,10 +328,13 @@ static void a_common_sphere_is_found(void **state) {
     problem->fixed[i] = true;
     nodes[2 * i] = i, nodes[2 * i + 1] = ball;
   }
-  lam_problem_add(
-      problem,
-      (lam_block){
-          .name = "sphere", .kernel = on_sphere, .rows = 1, .weight = 1, .count = 12, .arity = 2, .nodes = nodes});
+  lam_problem_add(problem, (lam_block){.name = "sphere",
+                                       .kernel = on_sphere,
+                                       .rows = 1,
+                                       .weight = 1,
+                                       .count = 12,
+                                       .arity = 2,
+                                       .nodes = nodes});
   lam_schedule schedule = lam_schedule_default();
   lam_solution s = lam_guided_solve(problem, &schedule, NULL);
   if (!s.converged) fail_msg("%s", s.reason);

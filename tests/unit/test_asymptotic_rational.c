@@ -1,8 +1,9 @@
 /* Surfaces on asymptotic quadrilaterals of rational quartic curves (thesis 2.4). */
 #include "tests/unit/asymptotic_quad_fixture.h"
 
-/* A projective image of Enneper's surface, a catenoid, a free roof. Expected values were computed independently; the
- * minimum over the four free parameters is known to about five digits of the weights, and much better in its energy. */
+/* A projective image of Enneper's surface, a catenoid, a free roof. Expected values were computed
+ * independently; the minimum over the four free parameters is known to about five digits of the
+ * weights, and much better in its energy. */
 static void test_rational(void **state) {
   quad_fixture *f = *state;
   json_t *cases = quad_cases(f, "rational.json"), *c, *expected;
@@ -17,10 +18,11 @@ static void test_rational(void **state) {
       const lam_quad_curve *curve = &patch.boundary.curve[j];
       for (int p = 0; p < 5; p++)
         quad_assert_close(id, "weight", curve->weights[p],
-                          quad_number(json_array_get(json_object_get(expected, "weights"), j), p), 1e-5);
-      assert_near(
-          lam_distance(curve->points[2], quad_vector(json_array_get(json_object_get(expected, "mid_points"), j))), 0,
-          1e-5);
+                          quad_number(json_array_get(json_object_get(expected, "weights"), j), p),
+                          1e-5);
+      assert_near(lam_distance(curve->points[2], quad_vector(json_array_get(
+                                                     json_object_get(expected, "mid_points"), j))),
+                  0, 1e-5);
     }
   }
 }

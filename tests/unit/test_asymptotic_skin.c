@@ -1,5 +1,5 @@
 /* Skins of patches over nets of asymptotic curves. */
-#include "surf/asymptotic_skin.h"
+#include "surf/asymptotic/asymptotic_skin.h"
 #include "tests/unit/asymptotic_quad_fixture.h"
 
 static lam_skin_vertex *vertices_of(quad_fixture *f, const json_t *c, int count[2]) {
@@ -12,8 +12,10 @@ static lam_skin_vertex *vertices_of(quad_fixture *f, const json_t *c, int count[
     size_t i = k / count[1], j = k % count[1];
     vertices[k].point = quad_vector(json_array_get(json_array_get(points, i), j));
     for (int d = 0; d < 2; d++) {
-      vertices[k].tangent[d] = quad_vector(json_array_get(json_array_get(json_object_get(c, names[d]), i), j));
-      vertices[k].curvature[d] = quad_number(json_array_get(json_object_get(c, names[2 + d]), i), j);
+      vertices[k].tangent[d] =
+          quad_vector(json_array_get(json_array_get(json_object_get(c, names[d]), i), j));
+      vertices[k].curvature[d] =
+          quad_number(json_array_get(json_object_get(c, names[2 + d]), i), j);
     }
     vertices[k].torsion = quad_number(json_array_get(json_object_get(c, "tau_u"), i), j);
   }
@@ -21,7 +23,8 @@ static lam_skin_vertex *vertices_of(quad_fixture *f, const json_t *c, int count[
 }
 
 /* Two patches along their common edge: the same points, the same normals. */
-static void assert_smooth(const char *id, const lam_spline_surface *a, const lam_spline_surface *b, int direction) {
+static void assert_smooth(const char *id, const lam_spline_surface *a, const lam_spline_surface *b,
+                          int direction) {
   for (int g = 0; g <= 20; g++) {
     lam_vec3 p[3][3], q[3][3];
     double t = g / 20.0;
@@ -34,8 +37,8 @@ static void assert_smooth(const char *id, const lam_spline_surface *a, const lam
   }
 }
 
-/* Gaussian curvature is negative everywhere inside, as on every surface with two asymptotic directions. Returns the
- * least sine between the parameter lines. */
+/* Gaussian curvature is negative everywhere inside, as on every surface with two asymptotic
+ * directions. Returns the least sine between the parameter lines. */
 static double assert_saddle(const char *id, const lam_spline_surface *s) {
   double least = 1;
   for (int g = 0; g < 15 * 15; g++) {
@@ -49,8 +52,8 @@ static double assert_saddle(const char *id, const lam_spline_surface *s) {
   return least;
 }
 
-/* The catenoid in asymptotic parameters, and a discrete asymptotic net with fitted tangents: expected energies were
- * computed independently. */
+/* The catenoid in asymptotic parameters, and a discrete asymptotic net with fitted tangents:
+ * expected energies were computed independently. */
 static void test_skins(void **state) {
   quad_fixture *f = *state;
   json_t *cases = quad_cases(f, "skins.json"), *c;
@@ -62,7 +65,8 @@ static void test_skins(void **state) {
     lam_skin_vertex *vertices = vertices_of(f, c, count);
     int rows = count[0] - 1, columns = count[1] - 1;
     lam_asymptotic_patch *patches = LAM_NEW(f->arena, lam_asymptotic_patch, rows * columns);
-    if (!lam_asymptotic_skin_make(f->arena, count, vertices, (lam_place){0}, &f->errors, patches))
+    if (!lam_asymptotic_skin_make(f->arena, count, vertices, (lam_location){0}, &f->errors,
+                                  patches))
       fail_msg("%s: %s", id, f->errors.first->text);
     double energy = 0, sine = 1;
     lam_quad_corners q = {.side = {{1, 1}, {1, 1}, {1, 1}, {1, 1}}}; /* no side is straight */
@@ -70,16 +74,20 @@ static void test_skins(void **state) {
       quad_assert_asymptotic(id, &patches[k].surface, &q, 1e-10);
       sine = fmin(sine, assert_saddle(id, &patches[k].surface));
       energy += patches[k].energy;
-      if (k / columns + 1 < rows) assert_smooth(id, &patches[k].surface, &patches[k + columns].surface, 0);
-      if (k % columns + 1 < columns) assert_smooth(id, &patches[k].surface, &patches[k + 1].surface, 1);
+      if (k / columns + 1 < rows)
+        assert_smooth(id, &patches[k].surface, &patches[k + columns].surface, 0);
+      if (k % columns + 1 < columns)
+        assert_smooth(id, &patches[k].surface, &patches[k + 1].surface, 1);
     }
     quad_assert_close(id, "energy", energy, json_number_value(json_object_get(c, "energy")), 1e-8);
-    quad_assert_close(id, "least sine", sine, json_number_value(json_object_get(c, "min_sine")), 1e-3);
+    quad_assert_close(id, "least sine", sine, json_number_value(json_object_get(c, "min_sine")),
+                      1e-3);
   }
 }
 
-/* The discrete asymptotic net from its points alone. An independent fit stopped at the sum 0.0105875700, with tangent
- * planes up to 0.389 deg from the planes of the stars; the minimum lies little below. */
+/* The discrete asymptotic net from its points alone. An independent fit stopped at the sum
+ * 0.0105875700, with tangent planes up to 0.389 deg from the planes of the stars; the minimum lies
+ * little below. */
 static void test_fit(void **state) {
   quad_fixture *f = *state;
   json_t *c = json_array_get(quad_cases(f, "skins.json"), 1);
@@ -87,18 +95,19 @@ static void test_fit(void **state) {
   double start, tilt = 0;
   lam_skin_vertex *v = vertices_of(f, c, count);
   for (int k = 0; k < count[0] * count[1]; k++) v[k] = (lam_skin_vertex){.point = v[k].point};
-  double sum = lam_asymptotic_skin_fit(f->arena, count, v, (lam_place){0}, &f->errors, &start);
+  double sum = lam_asymptotic_skin_fit(f->arena, count, v, (lam_location){0}, &f->errors, &start);
   assert_true(start > 10 * sum);
   assert_true(sum <= 0.01058757 && sum > 0.01058);
   for (int i = 1; i + 1 < count[0]; i++)
     for (int j = 1; j + 1 < count[1]; j++) {
       int k = i * count[1] + j;
-      lam_vec3 star = lam_cross(lam_sub(v[k + count[1]].point, v[k].point), lam_sub(v[k + 1].point, v[k].point));
+      lam_vec3 star = lam_cross(lam_sub(v[k + count[1]].point, v[k].point),
+                                lam_sub(v[k + 1].point, v[k].point));
       tilt = fmax(tilt, lam_angle(star, lam_cross(v[k].tangent[0], v[k].tangent[1])));
     }
   assert_near(tilt * 180 / net_pi, 0.389, 0.02);
   lam_asymptotic_patch patches[16];
-  assert_true(lam_asymptotic_skin_make(f->arena, count, v, (lam_place){0}, &f->errors, patches));
+  assert_true(lam_asymptotic_skin_make(f->arena, count, v, (lam_location){0}, &f->errors, patches));
   lam_quad_corners q = {.side = {{1, 1}, {1, 1}, {1, 1}, {1, 1}}};
   for (int k = 0; k < 16; k++) {
     quad_assert_asymptotic("fitted", &patches[k].surface, &q, 1e-10);

@@ -1,12 +1,13 @@
 /* Bars: sections, miters, mass, names; and convex solids cut by planes. */
 #include "fab_fixture.h"
 
-#include "core/convex.h"
-#include "core/mesh.h"
-#include "core/solid.h"
+#include "core/solid/convex.h"
+#include "core/solid/solid.h"
+#include "core/solid/triangles.h"
 
 static void assert_close(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance)) fail_msg("%.12g, expected %.12g +- %g", value, expected, tolerance);
+  if (!(fabs(value - expected) <= tolerance))
+    fail_msg("%.12g, expected %.12g +- %g", value, expected, tolerance);
 }
 
 static void assert_solid(const lam_trimesh *solid) {
@@ -24,8 +25,9 @@ static lam_convex unit_cube(lam_arena *arena) {
   return lam_convex_prism(arena, square, 4, lam_v3(0, 0, 1), 1e-9);
 }
 
-/* The unit cube cut by x + y + z >= c: what is cut off is a corner tetrahedron of volume c^3/6 for c <= 1; at c = 1 the
- * plane runs through three corners, at c = 3/2 it halves the cube (a hexagon), at c = 3 nothing is left. */
+/* The unit cube cut by x + y + z >= c: what is cut off is a corner tetrahedron of volume c^3/6 for
+ * c <= 1; at c = 1 the plane runs through three corners, at c = 3/2 it halves the cube (a hexagon),
+ * at c = 3 nothing is left. */
 static void a_cube_loses_its_corner(void **state) {
   const double offsets[] = {-1, 0, 0.5, 1, 1.5, 2, 2.5},
                volumes[] = {1, 1, 1 - 0.125 / 6, 5. / 6, 0.5, 1. / 6, 0.125 / 6};
@@ -42,8 +44,9 @@ static void a_cube_loses_its_corner(void **state) {
   assert_int_equal(lam_convex_mesh(*state, &cube).triangle_count, 0);
 }
 
-/* Planes through the middle m of the cube keep x >= m, y >= m, z >= m (an eighth), of that x >= y (half) and y >= z (a
- * sixth of the eighth); x + y - z >= m takes nothing more away. Every step stays closed. */
+/* Planes through the middle m of the cube keep x >= m, y >= m, z >= m (an eighth), of that x >= y
+ * (half) and y >= z (a sixth of the eighth); x + y - z >= m takes nothing more away. Every step
+ * stays closed. */
 static void cuts_follow_one_another(void **state) {
   lam_convex cube = unit_cube(*state);
   const lam_vec3 normals[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -1, 0}, {0, 1, -1}, {1, 1, -1}};
@@ -65,13 +68,18 @@ typedef struct bars_keys {
 } bars_keys; /* as in gen/fab/bars.c */
 
 static int both[2] = {0, 1};
-static bars_keys row_keys(void) { return (bars_keys){.families = {2, both}, .diameter = 0.06, .gap = 0.0002}; }
+static bars_keys row_keys(void) {
+  return (bars_keys){.families = {2, both}, .diameter = 0.06, .gap = 0.0002};
+}
 
 static lam_vec3 flat_square(double u, double v) { return lam_v3(u, v, 0); }
-static lam_vec3 dome(double u, double v) { return lam_v3(2 * u, 2 * v, 1 - 0.4 * u * u - 0.3 * v * v + 0.2 * u * v); }
+static lam_vec3 dome(double u, double v) {
+  return lam_v3(2 * u, 2 * v, 1 - 0.4 * u * u - 0.3 * v * v + 0.2 * u * v);
+}
 
-/* Bars of one family only, in a plane: lines of 4 bars of 0.5 m. Bars meet end to end, half the gap short of the node;
- * at the ends of a line they end at the node. The section has the area of the circle, or of the square. */
+/* Bars of one family only, in a plane: lines of 4 bars of 0.5 m. Bars meet end to end, half the gap
+ * short of the node; at the ends of a line they end at the node. The section has the area of the
+ * circle, or of the square. */
 static void bars_end_at_their_nodes(void **state) {
   const double areas[] = {3.14159265358979324 * 0.03 * 0.03, 0.06 * 0.06};
   for (int profile = 0; profile < 2; profile++) {
@@ -96,8 +104,9 @@ static void bars_end_at_their_nodes(void **state) {
   }
 }
 
-/* A square bar of side s between two others at right angles to it is cut by two planes at 45 degrees: it ends
- * in a ridge at the node and loses s/4 of its length at either end. Without a gap its volume is s^2 (L - s/2). */
+/* A square bar of side s between two others at right angles to it is cut by two planes at 45
+ * degrees: it ends in a ridge at the node and loses s/4 of its length at either end. Without a gap
+ * its volume is s^2 (L - s/2). */
 static void a_miter_at_right_angles(void **state) {
   lam_mesh mesh = fixture_grid(*state, 6, 6, flat_square);
   lam_workshop shop = fixture_workshop(*state, &mesh);
@@ -107,11 +116,14 @@ static void a_miter_at_right_angles(void **state) {
   fixture_make(&shop, "bars", &keys);
   assert_int_equal(shop.part_count, 60);
   int inside = 0;
-  for (int i = 0; i < 60; i++) inside += fabs(lam_trimesh_volume(&shop.parts[i].solid) - 0.0036 * (0.4 - 0.03)) < 1e-12;
-  assert_int_equal(inside, 40); /* all but the 20 on the boundary have a bar on either side at both ends */
+  for (int i = 0; i < 60; i++)
+    inside += fabs(lam_trimesh_volume(&shop.parts[i].solid) - 0.0036 * (0.4 - 0.03)) < 1e-12;
+  assert_int_equal(inside,
+                   40); /* all but the 20 on the boundary have a bar on either side at both ends */
 }
 
-/* On a dome with a stronger rim no two bars overlap, all are sound, and there are as many as edges. */
+/* On a dome with a stronger rim no two bars overlap, all are sound, and there are as many as edges.
+ */
 static void no_two_bars_overlap(void **state) {
   for (int profile = 0; profile < 2; profile++) {
     lam_mesh mesh = fixture_grid(*state, 8, 7, dome);
@@ -129,8 +141,8 @@ static void no_two_bars_overlap(void **state) {
   }
 }
 
-/* Edges of a 4 x 4 grid: 40, of them 16 on the boundary. In the plane all are equally long. A tube of 60 mm with a wall
- * of 5 mm has 1 - (50/60)^2 of the mass of the full bar. */
+/* Edges of a 4 x 4 grid: 40, of them 16 on the boundary. In the plane all are equally long. A tube
+ * of 60 mm with a wall of 5 mm has 1 - (50/60)^2 of the mass of the full bar. */
 static void choices_and_mass(void **state) {
   const int expected[] = {40, 24, 16};
   for (int edges = 0; edges < 3; edges++) {

@@ -1,7 +1,7 @@
 /* B-spline basis functions and interpolating splines. */
 #include "core/arena.h"
-#include "curve/basis.h"
-#include "curve/spline.h"
+#include "curve/bspline/basis.h"
+#include "curve/cubic_spline.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,8 @@ static double next_random(uint64_t *state) {
   return (double)(*state >> 11) / 9007199254740992.0;
 }
 
-/* Uneven knots over [2, 7]: unclamped for odd seeds, with a double knot where the degree allows it. */
+/* Uneven knots over [2, 7]: unclamped for odd seeds, with a double knot where the degree allows it.
+ */
 static int make_knots(int degree, uint64_t seed, double *knots) {
   uint64_t state = seed;
   int count = degree + 5, total = count + degree + 1;
@@ -56,11 +57,13 @@ static void test_partition_of_unity(void **state) {
     }
 }
 
-/* Every derivative is the central difference of the one below it (extrapolated, error of order h^6). */
+/* Every derivative is the central difference of the one below it (extrapolated, error of order
+ * h^6). */
 static void test_derivatives_against_differences(void **state) {
   (void)state;
   const double h = 1e-2, factors[] = {1.5, -0.6, 0.1};
-  double knots[MOST_KNOTS], at[4 * LAM_BASIS_MAX_VALUES], low[4 * LAM_BASIS_MAX_VALUES], high[4 * LAM_BASIS_MAX_VALUES];
+  double knots[MOST_KNOTS], at[4 * LAM_BASIS_MAX_VALUES], low[4 * LAM_BASIS_MAX_VALUES],
+      high[4 * LAM_BASIS_MAX_VALUES];
   for (int degree = 1; degree <= DEGREES; degree++)
     for (uint64_t seed = 1; seed <= 20; seed++) {
       uint64_t random = seed + 100;
@@ -73,10 +76,13 @@ static void test_derivatives_against_differences(void **state) {
       for (int k = 1; k <= 3; k++) { /* the piece's polynomial: the span stays the same */
         lam_basis_eval(degree, knots, span, t - k * step, 3, low);
         lam_basis_eval(degree, knots, span, t + k * step, 3, high);
-        for (int i = 0; i < 3 * width; i++) difference[i] += factors[k - 1] * (high[i] - low[i]) / (2 * k * step);
+        for (int i = 0; i < 3 * width; i++)
+          difference[i] += factors[k - 1] * (high[i] - low[i]) / (2 * k * step);
       }
-      for (int i = 0; i < 3 * width; i++) size[i / width] = fmax(size[i / width], fabs(at[width + i]));
-      for (int i = 0; i < 3 * width; i++) assert_true(fabs(difference[i] - at[width + i]) <= 1e-8 * size[i / width]);
+      for (int i = 0; i < 3 * width; i++)
+        size[i / width] = fmax(size[i / width], fabs(at[width + i]));
+      for (int i = 0; i < 3 * width; i++)
+        assert_true(fabs(difference[i] - at[width + i]) <= 1e-8 * size[i / width]);
     }
 }
 
@@ -90,7 +96,8 @@ static void test_limits(void **state) {
   for (int i = 0; i < 8; i++) assert_true(values[i] == expected[i]);
   lam_knots_clamped(LAM_BASIS_MAX_DEGREE, LAM_BASIS_MAX_VALUES, knots);
   lam_basis_eval(LAM_BASIS_MAX_DEGREE, knots, LAM_BASIS_MAX_DEGREE, 0.5, 0, values);
-  double middle = tgamma(25) / (tgamma(13) * tgamma(13)) * pow(0.5, 24); /* Bernstein: binomial(24,12) / 2^24 */
+  double middle =
+      tgamma(25) / (tgamma(13) * tgamma(13)) * pow(0.5, 24); /* Bernstein: binomial(24,12) / 2^24 */
   assert_true(fabs(values[12] - middle) <= 1e-14);
 }
 
@@ -111,7 +118,8 @@ static void test_bezier_is_bernstein(void **state) {
   }
 }
 
-/* The standard nine-point quadratic NURBS circle (weights 1 and 1/sqrt 2, double knots) has radius 1 everywhere. */
+/* The standard nine-point quadratic NURBS circle (weights 1 and 1/sqrt 2, double knots) has radius
+ * 1 everywhere. */
 static void test_circle(void **state) {
   (void)state;
   const double knots[] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
@@ -132,7 +140,8 @@ static void test_circle(void **state) {
   }
 }
 
-/* The end of the domain belongs to the last piece that is not empty, the outside to the nearest piece. */
+/* The end of the domain belongs to the last piece that is not empty, the outside to the nearest
+ * piece. */
 static void test_spans(void **state) {
   (void)state;
   const double knots[] = {0, 0, 0, 1, 1, 3, 3, 3};
@@ -144,7 +153,8 @@ static void test_spans(void **state) {
 /* Bad knots are refused with a reason. */
 static void test_bad_knots(void **state) {
   (void)state;
-  const double falling[] = {0, 0, 1, 0.5, 2, 2}, empty[] = {1, 1, 1, 1, 1, 1}, torn[] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
+  const double falling[] = {0, 0, 1, 0.5, 2, 2}, empty[] = {1, 1, 1, 1, 1, 1},
+               torn[] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
   const double infinite[] = {0, 0, 1, INFINITY}, many[] = {0, 0, 0, 1, 2, 2};
   assert_non_null(strstr(lam_knots_problem(2, 3, 5, falling), "as many"));
   assert_non_null(strstr(lam_knots_problem(2, 3, 6, falling), "not decrease"));
@@ -154,8 +164,8 @@ static void test_bad_knots(void **state) {
   assert_non_null(strstr(lam_knots_problem(1, 4, 6, many), "degree + 1"));
 }
 
-/* A cubic is its own not-a-knot spline, and the derivatives are those of the cubic; likewise a parabola through 3
- * points. */
+/* A cubic is its own not-a-knot spline, and the derivatives are those of the cubic; likewise a
+ * parabola through 3 points. */
 static void test_spline_reproduces_cubics(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -174,13 +184,15 @@ static void test_spline_reproduces_cubics(void **state) {
       assert_true(fabs(x[0] - pow(s - 1, d)) <= 1e-13);
       assert_true(fabs(dx[0] - d * pow(s - 1, d - 1)) <= 1e-12);
       assert_true(fabs(ddx[0] - (degree < 2 ? 0 : d * (d - 1) * pow(s - 1, d - 2))) <= 1e-12);
-      assert_true(fabs(x[1] - (2 - 3 * s)) <= 1e-13 && fabs(dx[1] + 3) <= 1e-12 && fabs(ddx[1]) <= 1e-12);
+      assert_true(fabs(x[1] - (2 - 3 * s)) <= 1e-13 && fabs(dx[1] + 3) <= 1e-12 &&
+                  fabs(ddx[1]) <= 1e-12);
     }
   }
   lam_arena_free(arena);
 }
 
-/* Interpolation of sin converges with the fourth power of the step (16 per halving; de Boor, theorem of ch. V). */
+/* Interpolation of sin converges with the fourth power of the step (16 per halving; de Boor,
+ * theorem of ch. V). */
 static void test_spline_converges(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();

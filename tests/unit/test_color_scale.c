@@ -1,5 +1,6 @@
-/* The color scales of maps: lightness is even, signs have their own sides, what is undefined is gray. */
-#include "formats/color_scale.h"
+/* The color scales of maps: lightness is even, signs have their own sides, what is undefined is
+ * gray. */
+#include "formats/plot/color_scale.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -10,8 +11,8 @@
 #include <cmocka.h>
 #include <string.h>
 
-/* CIE lightness L* of a color, from its luminance (ITU-R BT.709 primaries): another measure of evenness than the one
- * that the scales are made with. */
+/* CIE lightness L* of a color, from its luminance (ITU-R BT.709 primaries): another measure of
+ * evenness than the one that the scales are made with. */
 static double lightness(lam_rgb c) {
   double y = .2126 * c.r + .7152 * c.g + .0722 * c.b;
   return y > 216. / 24389 ? 116 * cbrt(y) - 16 : y * 24389 / 27;
@@ -22,14 +23,16 @@ static void check_channels(lam_rgb c) {
     fail_msg("%g %g %g is no color", c.r, c.g, c.b);
 }
 
-/* Dark to light: every tenth of the scale is lighter than the one before, none by more than twice as much as another.
+/* Dark to light: every tenth of the scale is lighter than the one before, none by more than twice
+ * as much as another.
  */
 static void sequential_is_even(void **state) {
   (void)state;
   double least = INFINITY, most = 0;
   for (int i = 0; i <= 100; i++) check_channels(lam_ramp_sequential(i / 100.));
   for (int i = 0; i < 10; i++) {
-    double step = lightness(lam_ramp_sequential((i + 1) / 10.)) - lightness(lam_ramp_sequential(i / 10.));
+    double step =
+        lightness(lam_ramp_sequential((i + 1) / 10.)) - lightness(lam_ramp_sequential(i / 10.));
     least = fmin(least, step), most = fmax(most, step);
   }
   if (!(least > 0 && most < 2 * least)) fail_msg("steps of lightness from %g to %g", least, most);
@@ -43,18 +46,22 @@ static void diverging_has_two_sides(void **state) {
     lam_rgb low = lam_ramp_diverging(.5 - i / 100.), high = lam_ramp_diverging(.5 + i / 100.);
     check_channels(low), check_channels(high);
     assert_true(low.b > low.r && high.r > high.b);
-    if (fabs(lightness(low) - lightness(high)) > 4) fail_msg("%d: %g and %g", i, lightness(low), lightness(high));
+    if (fabs(lightness(low) - lightness(high)) > 4)
+      fail_msg("%d: %g and %g", i, lightness(low), lightness(high));
     assert_true(lightness(low) < lightness(lam_ramp_diverging(.5 - (i - 1) / 100.)));
   }
   lam_rgb middle = lam_ramp_diverging(.5);
   assert_true(fabs(middle.r - middle.g) < 1e-3 && fabs(middle.g - middle.b) < 1e-3);
 }
 
-static lam_map map_of(double min, double max) { return (lam_map){.summary = {.min = min, .max = max, .count = 2}}; }
+static lam_map map_of(double min, double max) {
+  return (lam_map){.summary = {.min = min, .max = max, .count = 2}};
+}
 
 static void scales_fit_their_values(void **state) {
   (void)state;
-  lam_map one_sided = map_of(2, 5), both = map_of(-1, 3), constant = map_of(90, 90 + 1e-9), zero = map_of(0, 0);
+  lam_map one_sided = map_of(2, 5), both = map_of(-1, 3), constant = map_of(90, 90 + 1e-9),
+          zero = map_of(0, 0);
   lam_color_scale s = lam_map_scale(&one_sided);
   assert_true(s.low == 2 && s.high == 5 && !s.diverging && !s.constant);
   s = lam_map_scale(&both);

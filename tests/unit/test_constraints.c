@@ -1,10 +1,12 @@
-/* Every constraint of the registry, tested because it is listed: its Jacobian against differences, on many nets. */
-#include "core/mesh.h"
+/* Every constraint of the registry, tested because it is listed: its Jacobian against differences,
+ * on many nets. */
+#include "core/solid/triangles.h"
 #include "solve_fixture.h"
 
 enum { most_unknowns = 256, most_rows = 16, most_elements = 60, net_count = 6 };
 
-static const char *const net_names[net_count] = {"open grid", "torus", "tube", "round cube", "monkey saddle", "oculus"};
+static const char *const net_names[net_count] = {"open grid",  "torus",         "tube",
+                                                 "round cube", "monkey saddle", "oculus"};
 
 static lam_mesh mesh_of(net_fixture *f, int i) {
   switch (i) {
@@ -29,13 +31,16 @@ typedef struct subject {
   lam_trimesh reference;
 } subject;
 
-/* A net with a mean edge of 1 and vertices displaced by up to a seventh of it, and a problem with one constraint on it.
+/* A net with a mean edge of 1 and vertices displaced by up to a seventh of it, and a problem with
+ * one constraint on it.
  */
-static subject subject_of(net_fixture *f, int net, const lam_constraint_kind *kind, const char *keys) {
+static subject subject_of(net_fixture *f, int net, const lam_constraint_kind *kind,
+                          const char *keys) {
   lam_mesh mesh = mesh_of(f, net);
   subject s = {.net = net_built(f, &mesh)};
   double unit = lam_net_mean_edge(&s.net, s.net.mesh.vertices);
-  for (int v = 0; v < mesh.vertex_count; v++) s.net.mesh.vertices[v] = lam_scale(s.net.mesh.vertices[v], 1 / unit);
+  for (int v = 0; v < mesh.vertex_count; v++)
+    s.net.mesh.vertices[v] = lam_scale(s.net.mesh.vertices[v], 1 / unit);
   s.reference = lam_mesh_triangles(f->arena, &s.net.mesh);
   lam_mesh_perturb(&s.net.mesh, 1. / 7, 1 + net);
   s.problem = lam_problem_new(f->arena, mesh.vertex_count, s.net.mesh.vertices);
@@ -45,13 +50,14 @@ static subject subject_of(net_fixture *f, int net, const lam_constraint_kind *ki
   *reference = s.reference;
   lam_scope scope = {s.problem, &s.net, unit, tree, reference, &f->errors, 0};
   void *params = net_params(f, kind->head.keys, kind->head.params_size, keys);
-  kind->add(&scope, params, 1, (lam_place){0});
+  kind->add(&scope, params, 1, (lam_location){0});
   net_no_errors(f, kind->head.name);
   return s;
 }
 
 static void displace(net_fixture *f, lam_problem *problem, double by) {
-  for (int i = 0; i < problem->offset[problem->node_count]; i++) problem->x[i] += by * net_random(f);
+  for (int i = 0; i < problem->offset[problem->node_count]; i++)
+    problem->x[i] += by * net_random(f);
 }
 
 static void follow(const lam_problem *problem) {
@@ -62,7 +68,8 @@ static void follow(const lam_problem *problem) {
 }
 
 /* dr/dx_i by central differences with steps h, 2h, 3h, extrapolated: the error is of order h^6. */
-static void differences(const lam_block *block, int n, double *x, const double *p, int i, double *slope) {
+static void differences(const lam_block *block, int n, double *x, const double *p, int i,
+                        double *slope) {
   static const double weight[] = {1.5, -.6, .1}, h = 2e-3;
   double right[most_rows], left[most_rows], at = x[i];
   for (int k = 0; k < block->rows; k++) slope[k] = 0;
@@ -71,18 +78,22 @@ static void differences(const lam_block *block, int n, double *x, const double *
     block->kernel(n, x, p, right, NULL);
     x[i] = at - step * h;
     block->kernel(n, x, p, left, NULL);
-    for (int k = 0; k < block->rows; k++) slope[k] += weight[step - 1] * (right[k] - left[k]) / (2 * step * h);
+    for (int k = 0; k < block->rows; k++)
+      slope[k] += weight[step - 1] * (right[k] - left[k]) / (2 * step * h);
   }
   x[i] = at;
 }
 
-static void check_element(net_fixture *f, const subject *s, const lam_block *block, int element, const char *where) {
+static void check_element(net_fixture *f, const subject *s, const lam_block *block, int element,
+                          const char *where) {
   int at[most_unknowns], n = element_unknowns(s->problem, block, element, at);
-  double x[most_unknowns], r[most_rows], same[most_rows], slope[most_rows], J[most_rows * most_unknowns];
+  double x[most_unknowns], r[most_rows], same[most_rows], slope[most_rows],
+      J[most_rows * most_unknowns];
   assert_true(n <= most_unknowns && block->rows <= most_rows);
   const double *p = element_params(block, element);
   for (int i = 0; i < n; i++) x[i] = s->problem->x[at[i]];
-  for (int i = 0; i < block->rows * n; i++) J[i] = 1e30 * net_random(f); /* a kernel writes every entry */
+  for (int i = 0; i < block->rows * n; i++)
+    J[i] = 1e30 * net_random(f); /* a kernel writes every entry */
   block->kernel(n, x, p, r, J);
   block->kernel(n, x, p, same, NULL);
   assert_memory_equal(r, same, sizeof(double) * (size_t)block->rows);
@@ -95,13 +106,13 @@ static void check_element(net_fixture *f, const subject *s, const lam_block *blo
     differences(block, n, x, p, i, slope);
     for (int k = 0; k < block->rows; k++)
       if (!(fabs(J[k * n + i] - slope[k]) <= 1e-7 * size[k]))
-        fail_msg("%s on %s, element %d, dr%d/dx%d: %.15g, by differences %.15g", block->name, where, element, k, i,
-                 J[k * n + i], slope[k]);
+        fail_msg("%s on %s, element %d, dr%d/dx%d: %.15g, by differences %.15g", block->name, where,
+                 element, k, i, J[k * n + i], slope[k]);
   }
 }
 
-/* A block that calls itself linear: the Jacobian is the same anywhere and for any parameters, and r(x + d) = r(x) + J
- * d. */
+/* A block that calls itself linear: the Jacobian is the same anywhere and for any parameters, and
+ * r(x + d) = r(x) + J d. */
 static void check_linear(net_fixture *f, const subject *s, const lam_block *block) {
   int at[most_unknowns], n = element_unknowns(s->problem, block, 0, at);
   double x[most_unknowns], d[most_unknowns], r[most_rows], moved[most_rows], params[64];
@@ -132,7 +143,8 @@ static int check_kind(net_fixture *f, const lam_constraint_kind *kind, const cha
       for (int b = 0; b < s.problem->block_count; b++) {
         const lam_block *block = &s.problem->blocks[b];
         int stride = 1 + block->count / most_elements;
-        for (int e = 0; e < block->count; e += stride) check_element(f, &s, block, e, net_names[net]);
+        for (int e = 0; e < block->count; e += stride)
+          check_element(f, &s, block, e, net_names[net]);
         if (block->linear) check_linear(f, &s, block);
       }
     }
@@ -168,8 +180,8 @@ static void jacobians_with_other_parameters(void **state) {
   check_kind(f, &lam_con_handle, "{vertex: [3, -1], to: [1 m, 2 m, 3 m]}");
 }
 
-/* Each constraint alone on every net: sparse and dense normal equations agree. The boundary of the tube is a loop
- * without corners: boundary-length lists its first vertex twice. */
+/* Each constraint alone on every net: sparse and dense normal equations agree. The boundary of the
+ * tube is a loop without corners: boundary-length lists its first vertex twice. */
 static void every_constraint_assembles(void **state) {
   net_fixture *f = *state;
   bool repeated = false;
@@ -187,9 +199,9 @@ static void every_constraint_assembles(void **state) {
   assert_true(repeated);
 }
 
-/* The number of elements, counted by hand. Grid 5 x 6: 12 inner vertices, 20 faces, 49 edges, 18 of them on the
- * boundary, 4 sides, triples 6 * 3 + 5 * 4 on 11 lines. Monkey saddle of 3 rings: 6 sectors of 9 faces, 1 + 6 * 12
- * vertices. */
+/* The number of elements, counted by hand. Grid 5 x 6: 12 inner vertices, 20 faces, 49 edges, 18 of
+ * them on the boundary, 4 sides, triples 6 * 3 + 5 * 4 on 11 lines. Monkey saddle of 3 rings: 6
+ * sectors of 9 faces, 1 + 6 * 12 vertices. */
 static void elements_are_complete(void **state) {
   net_fixture *f = *state;
   static const struct {
@@ -243,17 +255,18 @@ static void elements_are_complete(void **state) {
     int elements = 0, at[most_unknowns];
     for (int b = 0; b < s.problem->block_count; b++) elements += s.problem->blocks[b].count;
     if (elements != rows[i].elements)
-      fail_msg("%s %s on %s: %d elements, expected %d", rows[i].kind->head.name, rows[i].keys, net_names[rows[i].net],
-               elements, rows[i].elements);
-    if (elements) assert_int_equal(element_unknowns(s.problem, &s.problem->blocks[0], 0, at), rows[i].unknowns);
+      fail_msg("%s %s on %s: %d elements, expected %d", rows[i].kind->head.name, rows[i].keys,
+               net_names[rows[i].net], elements, rows[i].elements);
+    if (elements)
+      assert_int_equal(element_unknowns(s.problem, &s.problem->blocks[0], 0, at), rows[i].unknowns);
   }
 }
 
 /* At the start, what keeps the start is met: edge lengths, side lengths, closeness, gliding. */
 static void constraints_that_keep_are_met_at_the_start(void **state) {
   net_fixture *f = *state;
-  const lam_constraint_kind *kinds[] = {&lam_con_edge_length, &lam_con_boundary_length, &lam_con_closeness,
-                                        &lam_con_glide};
+  const lam_constraint_kind *kinds[] = {&lam_con_edge_length, &lam_con_boundary_length,
+                                        &lam_con_closeness, &lam_con_glide};
   for (int net = 0; net < net_count; net++)
     for (int i = 0; i < 4; i++) {
       subject s = subject_of(f, net, kinds[i], "{}");
@@ -262,11 +275,12 @@ static void constraints_that_keep_are_met_at_the_start(void **state) {
       assert_near(d.energy, 0, 1e-28);
     }
   subject s = subject_of(f, 0, &lam_con_fairness, "{of: displacements}");
-  assert_near(dense_assemble(f->arena, s.problem, s.problem->x, (lam_weights){1, 1, 1}).energy, 0, 1e-28);
+  assert_near(dense_assemble(f->arena, s.problem, s.problem->x, (lam_weights){1, 1, 1}).energy, 0,
+              1e-28);
 }
 
-/* |n.(v - P)| with the foot point P is the distance to the reference: searched over all triangles' points by the tree,
- * and at most the distance of the nearest reference vertex. */
+/* |n.(v - P)| with the foot point P is the distance to the reference: searched over all triangles'
+ * points by the tree, and at most the distance of the nearest reference vertex. */
 static void proximity_measures_the_distance(void **state) {
   net_fixture *f = *state;
   for (int net = 0; net < net_count; net++) {
@@ -295,17 +309,18 @@ static void proximity_needs_a_reference(void **state) {
   lam_net net = net_built(f, &mesh);
   lam_problem *problem = lam_problem_new(f->arena, 9, mesh.vertices);
   lam_scope scope = {problem, &net, 1, NULL, NULL, &f->errors, 0};
-  lam_con_proximity.add(&scope, NULL, 1, (lam_place){0});
+  lam_con_proximity.add(&scope, NULL, 1, (lam_location){0});
   assert_int_equal(f->errors.count, 1);
   assert_int_equal(problem->block_count, 0);
   int ninth = 9;
   lam_handle_params far = {{1, &ninth}, {0, 0, 0}};
-  lam_con_handle.add(&scope, &far, 1, (lam_place){0});
+  lam_con_handle.add(&scope, &far, 1, (lam_location){0});
   assert_int_equal(f->errors.count, 2);
   assert_int_equal(problem->block_count, 0);
 }
 
-/* A boundary vertex moved along the tangent keeps its gliding residual 0; moved off the line by h, the residual is h.
+/* A boundary vertex moved along the tangent keeps its gliding residual 0; moved off the line by h,
+ * the residual is h.
  */
 static void gliding_is_free_along_the_boundary(void **state) {
   net_fixture *f = *state;
@@ -313,17 +328,19 @@ static void gliding_is_free_along_the_boundary(void **state) {
   lam_net net = net_built(f, &mesh);
   lam_problem *problem = lam_problem_new(f->arena, mesh.vertex_count, mesh.vertices);
   lam_scope scope = {problem, &net, 1, NULL, NULL, &f->errors, 0};
-  lam_con_glide.add(&scope, NULL, 1, (lam_place){0});
+  lam_con_glide.add(&scope, NULL, 1, (lam_location){0});
   for (int v = 0; v < mesh.vertex_count; v++) {
     int valence = net.ring_start[v + 1] - net.ring_start[v];
     assert_int_equal(problem->fixed[v], net.boundary[v] && valence == 2);
   }
   problem->x[3 * 2 + 1] += 1.3; /* (0, 2) on the side x = 0, past the place of (0, 3) */
   follow(problem);
-  assert_near(dense_assemble(f->arena, problem, problem->x, (lam_weights){1, 1, 1}).energy, 0, 1e-28);
+  assert_near(dense_assemble(f->arena, problem, problem->x, (lam_weights){1, 1, 1}).energy, 0,
+              1e-28);
   problem->x[3 * 2 + 2] += .25;
   follow(problem);
-  assert_near(dense_assemble(f->arena, problem, problem->x, (lam_weights){1, 1, 1}).max, .25, 1e-14);
+  assert_near(dense_assemble(f->arena, problem, problem->x, (lam_weights){1, 1, 1}).max, .25,
+              1e-14);
 }
 
 int main(void) {

@@ -1,7 +1,8 @@
-/* Circular, conical, isothermic and S-isothermic nets beyond the table of cases: what their measures say about figures
- * in closed form, irregular vertices, closed nets, and starts that ask for too much. */
+/* Circular, conical, isothermic and S-isothermic nets beyond the table of cases: what their
+ * measures say about figures in closed form, irregular vertices, closed nets, and starts that ask
+ * for too much. */
+#include "mesh/tangential.h"
 #include "net/optimize.h"
-#include "net/tangential.h"
 #include "net_fixture.h"
 
 static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *name) {
@@ -10,11 +11,13 @@ static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *na
 }
 
 /* Solves in place. */
-static lam_net_result solved(net_fixture *f, const char *kind_name, lam_net *net, const char *keys) {
+static lam_net_result solved(net_fixture *f, const char *kind_name, lam_net *net,
+                             const char *keys) {
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kind_name);
   assert_non_null(kind);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
-  lam_net_job job = {kind, net_params(f, kind->head.keys, kind->head.params_size, "{}"), common, NULL, {0}, NULL};
+  lam_net_job job = {
+      kind, net_params(f, kind->head.keys, kind->head.params_size, "{}"), common, NULL, {0}, NULL};
   lam_net_result result;
   assert_true(lam_net_optimize(f->arena, &job, net, &f->errors, &result));
   return result;
@@ -35,9 +38,10 @@ static lam_mesh one_face(net_fixture *f, const lam_vec3 *corners) {
   return mesh;
 }
 
-/* A square has a circumcircle and the cross-ratio -1; a rectangle of 2 x 1 has -4; in a rhombus with the diagonals 2
- * and 2h the circle through three corners leaves the fourth by |1 - h^2| / 1 (ends of the first diagonal: power of a
- * point) or |1 - h^2| / h, and q = ((1 - ih) / (1 + ih))^2, so |q + 1| = 2 |1 - h^2| / (1 + h^2). */
+/* A square has a circumcircle and the cross-ratio -1; a rectangle of 2 x 1 has -4; in a rhombus
+ * with the diagonals 2 and 2h the circle through three corners leaves the fourth by |1 - h^2| / 1
+ * (ends of the first diagonal: power of a point) or |1 - h^2| / h, and q = ((1 - ih) / (1 + ih))^2,
+ * so |q + 1| = 2 |1 - h^2| / (1 + h^2). */
 static void faces_in_closed_form(void **state) {
   net_fixture *f = *state;
   const lam_vec3 rectangle[4] = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}};
@@ -47,7 +51,8 @@ static void faces_in_closed_form(void **state) {
   double h = .8;
   const lam_vec3 rhombus[4] = {{1, 0, 0}, {0, h, 0}, {-1, 0, 0}, {0, -h, 0}};
   mesh = one_face(f, rhombus);
-  /* the circle through (1,0), (0,h), (0,-h) has its other point on the x axis at -h^2: (-1,0) is 1 - h^2 beyond it */
+  /* the circle through (1,0), (0,h), (0,-h) has its other point on the x axis at -h^2: (-1,0) is 1
+   * - h^2 beyond it */
   double gap[2] = {1 - h * h, fabs(h - 1 / h)};
   assert_near(measured(f, &mesh, "circularity").max, fmax(gap[0], gap[1]) / sqrt(1 + h * h), 1e-14);
   assert_near(measured(f, &mesh, "cross_ratio").max, 2 * fabs(1 - h * h) / (1 + h * h), 1e-14);
@@ -58,8 +63,9 @@ static void faces_in_closed_form(void **state) {
   assert_below(.9e-3, measured(f, &mesh, "circularity").max);
 }
 
-/* The incircle of a right kite with legs 3 and 1: R = A / s = 3 / 4; the tangents are 3 - R, R, 1 - R, R at the corners
- * between the legs of 3, at the right angle, between the legs of 1, at the right angle. */
+/* The incircle of a right kite with legs 3 and 1: R = A / s = 3 / 4; the tangents are 3 - R, R, 1 -
+ * R, R at the corners between the legs of 3, at the right angle, between the legs of 1, at the
+ * right angle. */
 static void incircle_of_a_kite(void **state) {
   (void)state;
   lam_vec3 a = {0, 0, 0}, b = {3, 0, 0}, d;
@@ -75,8 +81,8 @@ static void incircle_of_a_kite(void **state) {
   for (int k = 0; k < 4; k++) assert_near(circle.tangent[k], expected[k], 1e-14);
 }
 
-/* Two squares of sides 1 and 2 beside each other cannot share a touching point: a grid with columns 1 and 2 wide, rows
- * 1 high. The wide faces have no incircle. */
+/* Two squares of sides 1 and 2 beside each other cannot share a touching point: a grid with columns
+ * 1 and 2 wide, rows 1 high. The wide faces have no incircle. */
 static void incircles_that_do_not_meet(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
@@ -86,8 +92,9 @@ static void incircles_that_do_not_meet(void **state) {
   assert_near(measured(f, &mesh, "incircle_contact").max, 1. / 3, 1e-14);
 }
 
-/* Roof of four planes through the origin. Planes with the normals (cos t_k, sin t_k, 1) touch a cone about the z axis
- * for any t_k; with one plane tilted more the axis is lost. Edges: cross products of neighboring normals. */
+/* Roof of four planes through the origin. Planes with the normals (cos t_k, sin t_k, 1) touch a
+ * cone about the z axis for any t_k; with one plane tilted more the axis is lost. Edges: cross
+ * products of neighboring normals. */
 static lam_mesh roof(net_fixture *f, double tilt) {
   const double turn[4] = {.1, 1.5, 3.3, 4.6};
   lam_vec3 n[4];
@@ -96,7 +103,8 @@ static lam_mesh roof(net_fixture *f, double tilt) {
   static const int edge[4] = {7, 5, 1, 3}, corner[4] = {8, 2, 0, 6}; /* +u, +v, -u, -v */
   lam_vec3 e[4];
   for (int k = 0; k < 4; k++) {
-    e[k] = lam_unit(lam_cross(n[k], n[(k + 3) % 4])); /* between face k - 1 and face k, face k is from e_k to e_(k+1) */
+    e[k] = lam_unit(lam_cross(
+        n[k], n[(k + 3) % 4])); /* between face k - 1 and face k, face k is from e_k to e_(k+1) */
     if (e[k].z > 0) e[k] = lam_scale(e[k], -1);
     mesh.vertices[edge[k]] = e[k];
   }
@@ -129,7 +137,8 @@ static double angle_sums(const lam_net *net) {
   for (int s = 0; s < net->star_count; s++) {
     lam_vec3 e[4];
     for (int k = 0; k < 4; k++)
-      e[k] = lam_sub(net->mesh.vertices[net->stars[s].neighbor[k]], net->mesh.vertices[net->stars[s].center]);
+      e[k] = lam_sub(net->mesh.vertices[net->stars[s].neighbor[k]],
+                     net->mesh.vertices[net->stars[s].center]);
     double sum = 0;
     for (int k = 0; k < 4; k++) sum += (k % 2 ? -1 : 1) * lam_angle(e[k], e[(k + 1) % 4]);
     worst = fmax(worst, fabs(sum) * 180 / net_pi);
@@ -137,8 +146,9 @@ static double angle_sums(const lam_net *net) {
   return worst;
 }
 
-/* On this ellipsoid the equation with cosines, cos(a12 + a34) = cos(a23 + a41), reaches residuals of 1.5e-6 while the
- * sums differ by 42.5 degrees. At the start the cosines already agree to 2e-4, the sums miss by 5.75 degrees. */
+/* On this ellipsoid the equation with cosines, cos(a12 + a34) = cos(a23 + a41), reaches residuals
+ * of 1.5e-6 while the sums differ by 42.5 degrees. At the start the cosines already agree to 2e-4,
+ * the sums miss by 5.75 degrees. */
 static void angle_sums_are_exact(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_obj(f->arena, "tests/cases/nets/28_circular_ellipsoid_init.obj");
@@ -166,14 +176,17 @@ static lam_net ellipsoidal_cube(net_fixture *f, int levels) {
   return net_built(f, &mesh);
 }
 
-/* Every face flat, every 4-valent vertex conical, every face circular; steps as with reference solutions (9 to 11 for
- * planar and conical; auxiliary unknowns took 11 for circular) and nothing collapsed or folded. */
+/* Every face flat, every 4-valent vertex conical, every face circular; steps as with reference
+ * solutions (9 to 11 for planar and conical; auxiliary unknowns took 11 for circular) and nothing
+ * collapsed or folded. */
 static void irregular_vertices(void **state) {
   net_fixture *f = *state;
   static const struct {
     const char *kind, *measure;
     int steps;
-  } rows[] = {{"planar-quads", "face_planarity", 11}, {"conical", "conicality", 11}, {"circular", "circularity", 11}};
+  } rows[] = {{"planar-quads", "face_planarity", 11},
+              {"conical", "conicality", 11},
+              {"circular", "circularity", 11}};
   for (int level = 2; level <= 3; level++)
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
       lam_net net = ellipsoidal_cube(f, level);
@@ -189,8 +202,8 @@ static void irregular_vertices(void **state) {
     }
 }
 
-/* A torus and a tube in their principal lines, closed; the torus' faces are isosceles trapezoids and so circular and
- * conical from the start. A wavy tube is neither. */
+/* A torus and a tube in their principal lines, closed; the torus' faces are isosceles trapezoids
+ * and so circular and conical from the start. A wavy tube is neither. */
 static void closed_nets(void **state) {
   net_fixture *f = *state;
   static const char *const kinds[] = {"circular", "conical"};
@@ -212,7 +225,8 @@ static void closed_nets(void **state) {
 
 /* ---- S-isothermic nets ---- */
 
-/* From square cells on the principal lines of isothermic surfaces: two steps, as with a reference solution of case 32.
+/* From square cells on the principal lines of isothermic surfaces: two steps, as with a reference
+ * solution of case 32.
  */
 static void s_isothermic_on_isothermic_surfaces(void **state) {
   net_fixture *f = *state;
@@ -226,26 +240,31 @@ static void s_isothermic_on_isothermic_surfaces(void **state) {
               {"catenoid", "{}", {0, 1.5}, {-.5, .5}, 15, 10}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     const lam_row_head *head = lam_registry_find(&lam_surfaces, rows[i].surface);
-    lam_row row = {.head = head, .params = net_params(f, head->keys, head->params_size, rows[i].keys)};
+    lam_row row = {.head = head,
+                   .params = net_params(f, head->keys, head->params_size, rows[i].keys)};
     lam_surface surface = lam_surface_make(f->arena, &row, &f->errors);
-    lam_surface_place placing = {
-        .u = {rows[i].p[0], rows[i].p[1]}, .v = {rows[i].q[0], rows[i].q[1]}, .u_given = true, .v_given = true};
+    lam_placement_keys placing = {.u = {rows[i].p[0], rows[i].p[1]},
+                                  .v = {rows[i].q[0], rows[i].q[1]},
+                                  .u_given = true,
+                                  .v_given = true};
     lam_mesh mesh;
     int grid[2] = {rows[i].n, rows[i].m};
-    assert_true(lam_net_start(f->arena, &surface, LAM_CHART_PRINCIPAL, grid, 0, &placing, (lam_place){0}, &f->errors,
-                              &mesh, NULL));
+    assert_true(lam_net_start(f->arena, &surface, LAM_CHART_PRINCIPAL, grid, 0, &placing,
+                              (lam_location){0}, &f->errors, &mesh, NULL));
     lam_net net = net_built(f, &mesh);
     lam_net_result result = solved(f, "s-isothermic", &net, "{}");
     if (!result.converged) fail_msg("%s: %s", rows[i].surface, result.reason);
-    if (result.solution.iterations > 3) fail_msg("%s: %d steps", rows[i].surface, result.solution.iterations);
+    if (result.solution.iterations > 3)
+      fail_msg("%s: %d steps", rows[i].surface, result.solution.iterations);
     assert_below(value(&result, "incircle_contact"), 1e-12);
     assert_below(value(&result, "face_planarity"), 1e-12);
     assert_below(result.drift, .05);
   }
 }
 
-/* A surface of revolution with m meridians and rings of radius r(u), made without a solver: the edges of a ring are 2
- * rho(u) long with rho = r sin(pi / m), and meridian edges l(u) = rho(u) + rho(u + 1); heights follow. */
+/* A surface of revolution with m meridians and rings of radius r(u), made without a solver: the
+ * edges of a ring are 2 rho(u) long with rho = r sin(pi / m), and meridian edges l(u) = rho(u) +
+ * rho(u + 1); heights follow. */
 static void s_isothermic_surface_of_revolution(void **state) {
   net_fixture *f = *state;
   enum { m = 16, rings = 9 };
@@ -274,7 +293,8 @@ static void s_isothermic_surface_of_revolution(void **state) {
 
 /* ---- starts that ask for too much ---- */
 
-/* Every run ends with a reason, and either converged, or not; never with a vertex that has no place. */
+/* Every run ends with a reason, and either converged, or not; never with a vertex that has no
+ * place. */
 static void check_end(const char *what, const lam_net *net, const lam_net_result *result) {
   bool finite = true;
   for (int v = 0; v < net->mesh.vertex_count; v++) {
@@ -283,12 +303,13 @@ static void check_end(const char *what, const lam_net *net, const lam_net_result
   }
   if (!finite) fail_msg("%s: not a number (%s)", what, result->reason);
   if (!result->reason || !*result->reason) fail_msg("%s: no reason", what);
-  if (result->converged && result->degenerate) fail_msg("%s: converged and %s", what, result->degenerate);
+  if (result->converged && result->degenerate)
+    fail_msg("%s: converged and %s", what, result->degenerate);
   if (result->converged) assert_below(result->solution.residual, 1e-10);
 }
 
-/* Noise of a tenth and a fifth of an edge on a field of gentle waves: conical and circular nets are found from all of
- * them, with one smoothing step. */
+/* Noise of a tenth and a fifth of an edge on a field of gentle waves: conical and circular nets are
+ * found from all of them, with one smoothing step. */
 static void noisy_starts(void **state) {
   net_fixture *f = *state;
   static const char *const kinds[] = {"circular", "conical", "isothermic", "s-isothermic"};
@@ -298,9 +319,12 @@ static void noisy_starts(void **state) {
         lam_mesh mesh = net_obj(f->arena, "tests/cases/nets/29_conical_bump_init.obj");
         lam_net net = net_built(f, &mesh);
         lam_mesh_perturb(&net.mesh, .1 * noise * lam_net_mean_edge(&net, net.mesh.vertices), seed);
-        lam_net_result result = solved(f, kinds[i], &net, "{from: {file: x}, solver: {smooth: yes}}");
-        check_end(lam_arena_printf(f->arena, "%s, noise .%d, seed %d", kinds[i], noise, seed), &net, &result);
-        if (!result.converged) fail_msg("%s, noise .%d, seed %d: %s", kinds[i], noise, seed, result.reason);
+        lam_net_result result =
+            solved(f, kinds[i], &net, "{from: {file: x}, solver: {smooth: yes}}");
+        check_end(lam_arena_printf(f->arena, "%s, noise .%d, seed %d", kinds[i], noise, seed), &net,
+                  &result);
+        if (!result.converged)
+          fail_msg("%s, noise .%d, seed %d: %s", kinds[i], noise, seed, result.reason);
       }
 }
 
@@ -310,26 +334,30 @@ static void extreme_grids(void **state) {
   static const int grids[][2] = {{1, 1}, {1, 5}, {2, 2}, {3, 40}, {40, 30}};
   for (int i = 0; i < 4; i++)
     for (size_t g = 0; g < sizeof grids / sizeof *grids; g++) {
-      lam_mesh mesh = net_sampled(f, "torus", "{}", LAM_CHART_PRINCIPAL, grids[g][0] < 3 ? 3 : grids[g][0],
-                                  grids[g][1] < 3 ? 3 : grids[g][1], 0);
-      if (g < 3) mesh = net_sampled(f, "enneper", "{}", LAM_CHART_PRINCIPAL, grids[g][0], grids[g][1], 0);
+      lam_mesh mesh =
+          net_sampled(f, "torus", "{}", LAM_CHART_PRINCIPAL, grids[g][0] < 3 ? 3 : grids[g][0],
+                      grids[g][1] < 3 ? 3 : grids[g][1], 0);
+      if (g < 3)
+        mesh = net_sampled(f, "enneper", "{}", LAM_CHART_PRINCIPAL, grids[g][0], grids[g][1], 0);
       lam_net net = net_built(f, &mesh);
       lam_net_result result = solved(f, kinds[i], &net, "{solver: {iterations: 60}}");
-      check_end(lam_arena_printf(f->arena, "%s, %d x %d", kinds[i], grids[g][0], grids[g][1]), &net, &result);
+      check_end(lam_arena_printf(f->arena, "%s, %d x %d", kinds[i], grids[g][0], grids[g][1]), &net,
+                &result);
     }
 }
 
-/* Opposite corners of one face lifted to different heights with all neighbors held: no flat face can follow. */
+/* Opposite corners of one face lifted to different heights with all neighbors held: no flat face
+ * can follow. */
 static void infeasible_handles(void **state) {
   net_fixture *f = *state;
   static const char *const kinds[] = {"circular", "conical", "isothermic", "s-isothermic"};
   for (int i = 0; i < 4; i++) {
     lam_mesh mesh = net_grid(f->arena, 4, 4, net_saddle);
     lam_net net = net_built(f, &mesh);
-    lam_net_result result =
-        solved(f, kinds[i], &net,
-               "{from: {file: x}, boundary: fixed, handles: [{vertex: [5, -1], to: [1 m, 1 m, 3 m]},"
-               " {vertex: [10, -1], to: [2 m, 2 m, -3 m]}, {vertex: [6, -1], to: [1 m, 2 m, 0]}]}");
+    lam_net_result result = solved(
+        f, kinds[i], &net,
+        "{from: {file: x}, boundary: fixed, handles: [{vertex: [5, -1], to: [1 m, 1 m, 3 m]},"
+        " {vertex: [10, -1], to: [2 m, 2 m, -3 m]}, {vertex: [6, -1], to: [1 m, 2 m, 0]}]}");
     check_end(kinds[i], &net, &result);
     assert_false(result.converged);
   }

@@ -10,7 +10,8 @@ static lam_spline_curve example(int k) {
   return next_curve(degree, degree + 1 + k % 5 + k / 12, k % 2, k % 3 != 2);
 }
 
-/* Derivatives to order 3, polynomial and rational, against differences (extrapolated, error of order h^6). */
+/* Derivatives to order 3, polynomial and rational, against differences (extrapolated, error of
+ * order h^6). */
 static void test_derivatives(void **state) {
   (void)state;
   const double factors[] = {1.5, -0.6, 0.1};
@@ -24,7 +25,8 @@ static void test_derivatives(void **state) {
     for (int m = 1; m <= 3; m++) {
       lam_spline_curve_eval(&c, t - m * h, 3, low);
       lam_spline_curve_eval(&c, t + m * h, 3, high);
-      for (int d = 0; d < 3; d++) sum[d] = lam_along(sum[d], factors[m - 1] / (2 * m * h), lam_sub(high[d], low[d]));
+      for (int d = 0; d < 3; d++)
+        sum[d] = lam_along(sum[d], factors[m - 1] / (2 * m * h), lam_sub(high[d], low[d]));
     }
     for (int d = 0; d < 3; d++) near3(sum[d], at[d + 1], 1e-7 * (1 + lam_length(at[d + 1])));
   }
@@ -65,10 +67,11 @@ static void test_removal_bound(void **state) {
     lam_spline_curve c = next_curve(degree, degree + 5, false, true);
     double deviation, largest = 0;
     lam_bspline less;
-    assert_true(
-        lam_bspline_remove(arena, lam_spline_curve_net(arena, &c, false), c.knots[degree + 1], 10, &less, &deviation));
+    assert_true(lam_bspline_remove(arena, lam_spline_curve_net(arena, &c, false),
+                                   c.knots[degree + 1], 10, &less, &deviation));
     lam_spline_curve d = lam_spline_curve_from_net(arena, less);
-    for (double t = 1; t <= 4; t += 0.001) largest = fmax(largest, lam_distance(point_at(&c, t), point_at(&d, t)));
+    for (double t = 1; t <= 4; t += 0.001)
+      largest = fmax(largest, lam_distance(point_at(&c, t), point_at(&d, t)));
     assert_true(largest <= deviation * (1 + 1e-12) && largest > 0.1 * deviation);
   }
 }
@@ -107,18 +110,22 @@ static void test_reduction(void **state) {
       near3(y[0], x[0], 1e-12);
       near3(y[1], x[1], 1e-10);
     }
-    for (double t = 1; t <= 4; t += 0.003) largest = fmax(largest, lam_distance(point_at(&c, t), point_at(&e, t)));
+    for (double t = 1; t <= 4; t += 0.003)
+      largest = fmax(largest, lam_distance(point_at(&c, t), point_at(&e, t)));
     assert_true(largest <= deviation && largest > 0);
   }
 }
 
-/* Least squares: t^3 on [0,1] by a parabola without end conditions is 3/2 t^2 - 3/5 t + 1/20 (shifted Legendre). */
+/* Least squares: t^3 on [0,1] by a parabola without end conditions is 3/2 t^2 - 3/5 t + 1/20
+ * (shifted Legendre). */
 static void test_reduction_is_least_squares(void **state) {
   (void)state;
   const lam_vec3 points[] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
   const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
-  lam_spline_curve cubic = {3, 4, knots, points, NULL}, d = lam_spline_curve_reduce(arena, cubic, 0, NULL);
-  for (double t = 0; t <= 1; t += 0.125) near(point_at(&d, t).x, 1.5 * t * t - 0.6 * t + 0.05, 1e-13);
+  lam_spline_curve cubic = {3, 4, knots, points, NULL},
+                   d = lam_spline_curve_reduce(arena, cubic, 0, NULL);
+  for (double t = 0; t <= 1; t += 0.125)
+    near(point_at(&d, t).x, 1.5 * t * t - 0.6 * t + 0.05, 1e-13);
 }
 
 /* Two parts, the pieces, and the way back. */
@@ -126,7 +133,8 @@ static void test_parts(void **state) {
   (void)state;
   for (int k = 0; k < CURVES; k++) {
     lam_spline_curve c = example(k), low = lam_spline_curve_part(arena, c, 1, 2.3),
-                     high = lam_spline_curve_part(arena, c, 2.3, 4), whole = lam_spline_curve_part(arena, c, 1, 4);
+                     high = lam_spline_curve_part(arena, c, 2.3, 4),
+                     whole = lam_spline_curve_part(arena, c, 1, 4);
     same_curve(&c, &low, 1, 2.3, exact);
     same_curve(&c, &high, 2.3, 4, exact);
     same_curve(&c, &whole, 1, 4, exact);
@@ -146,19 +154,21 @@ static void test_reversal_and_maps(void **state) {
   (void)state;
   for (int k = 0; k < CURVES; k++) {
     lam_spline_curve c = example(k), back = lam_spline_curve_reverse(arena, c);
-    lam_frame frame = {next_point(), {next_point(), next_point(), next_point()}};
+    lam_pose frame = {next_point(), {next_point(), next_point(), next_point()}};
     lam_spline_curve image = lam_spline_curve_map(arena, c, frame);
     assert_null(lam_spline_curve_problem(&back));
     for (int i = 0; i < 30; i++) {
       double t = next_in(1, 4);
       lam_vec3 x = point_at(&c, t), y = lam_along(frame.origin, x.x, frame.axis[0]);
       near3(point_at(&back, 5 - t), x, exact);
-      near3(point_at(&image, t), lam_along(lam_along(y, x.y, frame.axis[1]), x.z, frame.axis[2]), exact);
+      near3(point_at(&image, t), lam_along(lam_along(y, x.y, frame.axis[1]), x.z, frame.axis[2]),
+            exact);
     }
   }
 }
 
-/* The product with a scalar spline over other knots, and its smoothness at a knot that only one factor has. */
+/* The product with a scalar spline over other knots, and its smoothness at a knot that only one
+ * factor has. */
 static void test_product(void **state) {
   (void)state;
   for (int k = 0; k < CURVES; k++) {
@@ -221,9 +231,12 @@ static void test_matching_of_equal_knots(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEST(test_derivatives), TEST(test_insertion),         TEST(test_removal),  TEST(test_removal_bound),
-      TEST(test_elevation),   TEST(test_reduction),         TEST(test_parts),    TEST(test_reduction_is_least_squares),
-      TEST(test_product),     TEST(test_reversal_and_maps), TEST(test_matching), TEST(test_matching_of_equal_knots),
+      TEST(test_derivatives), TEST(test_insertion),
+      TEST(test_removal),     TEST(test_removal_bound),
+      TEST(test_elevation),   TEST(test_reduction),
+      TEST(test_parts),       TEST(test_reduction_is_least_squares),
+      TEST(test_product),     TEST(test_reversal_and_maps),
+      TEST(test_matching),    TEST(test_matching_of_equal_knots),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,13 @@
 /* Curves through points and near them, and how fair they are. */
-#include "curve/fairness.h"
+#include "core/numbers.h"
+#include "curve/curve_fairness.h"
 #include "curve/interpolate.h"
 #include "curve/least_squares.h"
 #include "tests/unit/curve_fixture.h"
 
-static double cubic(double t, int which) { return which ? t * t * t - 2 * t + 1 : -0.5 * t * t * t + t * t; }
+static double cubic(double t, int which) {
+  return which ? t * t * t - 2 * t + 1 : -0.5 * t * t * t + t * t;
+}
 
 static double *next_parameters(int count) {
   double *t = LAM_NEW(arena, double, count);
@@ -23,8 +26,8 @@ static void test_interpolation_meets_points(void **state) {
           double *t = LAM_NEW(arena, double, count);
           for (int i = 0; i < count; i++) points[i] = next_point();
           lam_parameters_choose((lam_parameters)kind, count, points, t);
-          lam_spline_curve c =
-              lam_interpolate_points(arena, (lam_ends)ends, degree, (lam_parameters)kind, count, points);
+          lam_spline_curve c = lam_interpolate_points(arena, (lam_ends)ends, degree,
+                                                      (lam_parameters)kind, count, points);
           assert_null(lam_spline_curve_problem(&c));
           for (int i = 0; i < count; i++) near3(point_at(&c, t[i]), points[i], 1e-11);
         }
@@ -38,7 +41,8 @@ static double jump(const lam_spline_curve *c, double t, int order) {
   return lam_distance(a[order], b[order]);
 }
 
-/* C2 at every point; not-a-knot ends give cubics back; natural ends have no second derivative; given slopes are met. */
+/* C2 at every point; not-a-knot ends give cubics back; natural ends have no second derivative;
+ * given slopes are met. */
 static void test_cubic_ends(void **state) {
   (void)state;
   int count = 9;
@@ -63,17 +67,19 @@ static void test_cubic_ends(void **state) {
     near(x[3], slopes[2 * e + 1], 1e-11);
   }
   assert_int_equal(natural.count, count + 2);
-  for (int i = 1; i + 1 < count; i++) assert_int_equal(lam_bspline_multiplicity(&natural, t[i]), 1); /* so C2 */
+  for (int i = 1; i + 1 < count; i++)
+    assert_int_equal(lam_bspline_multiplicity(&natural, t[i]), 1); /* so C2 */
 }
 
-/* Bessel's tangents and the local interpolation give parabolas back; the curve is C1 and a point acts only on the four
- * pieces around it. */
+/* Bessel's tangents and the local interpolation give parabolas back; the curve is C1 and a point
+ * acts only on the four pieces around it. */
 static void test_local_interpolation(void **state) {
   (void)state;
   enum { COUNT = 9 };
   double *t = next_parameters(COUNT);
   lam_vec3 points[COUNT];
-  for (int i = 0; i < COUNT; i++) points[i] = lam_v3(t[i] * t[i], 1 - t[i], 2 * t[i] - 0.3 * t[i] * t[i]);
+  for (int i = 0; i < COUNT; i++)
+    points[i] = lam_v3(t[i] * t[i], 1 - t[i], 2 * t[i] - 0.3 * t[i] * t[i]);
   lam_spline_curve c = lam_interpolate_local(arena, COUNT, t, points, NULL);
   for (int i = 0; i < 40; i++) {
     double s = next_in(0, t[COUNT - 1]);
@@ -83,15 +89,17 @@ static void test_local_interpolation(void **state) {
   c = lam_interpolate_local(arena, COUNT, t, points, NULL);
   for (int i = 1; i + 1 < COUNT; i++) near(jump(&c, t[i], 1), 0, 1e-11);
   lam_vec3 moved[COUNT];
-  for (int i = 0; i < COUNT; i++) moved[i] = i == 4 ? lam_add(points[i], lam_v3(1, 1, 1)) : points[i];
+  for (int i = 0; i < COUNT; i++)
+    moved[i] = i == 4 ? lam_add(points[i], lam_v3(1, 1, 1)) : points[i];
   lam_spline_curve d = lam_interpolate_local(arena, COUNT, t, moved, NULL);
   same_curve(&c, &d, t[0], t[2], 1e-14);
   same_curve(&c, &d, t[6], t[8], 1e-14);
-  assert_true(lam_distance(point_at(&c, (t[2] + t[3]) / 2), point_at(&d, (t[2] + t[3]) / 2)) > 1e-3);
+  assert_true(lam_distance(point_at(&c, (t[2] + t[3]) / 2), point_at(&d, (t[2] + t[3]) / 2)) >
+              1e-3);
 }
 
-/* Points of a spline with the same knots come back exactly; with noise the residuals are at right angles to all inner
- * basis functions, which is what makes the sum of squares least. */
+/* Points of a spline with the same knots come back exactly; with noise the residuals are at right
+ * angles to all inner basis functions, which is what makes the sum of squares least. */
 static void test_least_squares(void **state) {
   (void)state;
   for (int degree = 1; degree <= 5; degree++) {
@@ -133,7 +141,8 @@ static void test_least_squares(void **state) {
   }
 }
 
-/* Knots without points among them are refused; a tolerance is kept with fewer points than interpolation needs. */
+/* Knots without points among them are refused; a tolerance is kept with fewer points than
+ * interpolation needs. */
 static void test_least_squares_limits(void **state) {
   (void)state;
   enum { N = 60 };
@@ -153,13 +162,14 @@ static void test_least_squares_limits(void **state) {
   assert_true(lam_fit_curve(arena, 3, c.count - 1, NULL, N, t, points, &fewer, &error));
   assert_true(error.max > 1e-5);
   for (int i = 1; i + 1 < N; i++) points[i] = lam_along(points[i], 0.1, next_point());
-  c = lam_fit_curve_within(arena, 3, 1e-9, N, t, points, &error); /* noise: only interpolation is that near */
+  c = lam_fit_curve_within(arena, 3, 1e-9, N, t, points,
+                           &error); /* noise: only interpolation is that near */
   assert_int_equal(c.count, N);
   assert_true(error.max <= 1e-9);
 }
 
-/* A cosine over [0, 3 pi] turns from side to side three times, the parabola, the ellipse and the helix never. The
- * variation is the sum of the differences between extreme curvatures. */
+/* A cosine over [0, 3 pi] turns from side to side three times, the parabola, the ellipse and the
+ * helix never. The variation is the sum of the differences between extreme curvatures. */
 static void wave(const void *data, double t, int order, lam_vec3 *x) {
   (void)data;
   for (int k = 0; k <= order; k++) x[k] = lam_v3(k == 0 ? t : k == 1, cos(t + k * M_PI_2), 0);
@@ -180,18 +190,19 @@ static void ellipse(const void *data, double t, int order, lam_vec3 *x) {
 
 static void test_fairness_figures(void **state) {
   (void)state;
-  lam_curve curve = {wave, NULL, 0, 3 * M_PI, 0, NULL};
+  lam_curve curve = {wave, NULL, 0, 3 * LAM_PI, 0, NULL};
   lam_fairness f = lam_curve_fairness(arena, &curve, 64);
   assert_int_equal(f.inflections, 3);
   near(f.curvature_variation, 6, 1e-3); /* |k| goes 1, 0, 1, 0, 1, 0, 1: six times 1 */
-  curve = (lam_curve){helix, NULL, 0, 2 * M_PI, 0, NULL};
+  curve = (lam_curve){helix, NULL, 0, 2 * LAM_PI, 0, NULL};
   f = lam_curve_fairness(arena, &curve, 16);
-  near(f.bending, 0.0144 * 10 * M_PI, 1e-12);
+  near(f.bending, 0.0144 * 10 * LAM_PI, 1e-12);
   near(f.curvature_change, 0, 1e-20);
-  curve = (lam_curve){ellipse, NULL, 0, 2 * M_PI, 0, NULL};
+  curve = (lam_curve){ellipse, NULL, 0, 2 * LAM_PI, 0, NULL};
   f = lam_curve_fairness(arena, &curve, 64);
   assert_int_equal(f.inflections, 0);
-  near(f.curvature_variation, 4 * (2 - 0.25), 1e-9); /* curvature between a/b^2 = 2 and b/a^2 = 1/4 */
+  near(f.curvature_variation, 4 * (2 - 0.25),
+       1e-9); /* curvature between a/b^2 = 2 and b/a^2 = 1/4 */
   const lam_vec3 points[] = {{0, 0, 0}, {0.5, 0, 0}, {1, 1, 0}};
   const double knots[] = {0, 0, 0, 1, 1, 1};
   lam_spline_curve parabola = {2, 3, knots, points, NULL};
@@ -200,17 +211,18 @@ static void test_fairness_figures(void **state) {
   assert_int_equal(f.inflections, 0);
   near(f.curvature_variation, 2 - 2 / pow(5, 1.5), 1e-12);
   near(f.curvature_jump, 0, 0);
-  /* integral of 4 / (1 + 4 t^2)^(5/2) dt with s = 2 t: 2 (s/(1+s^2)^(1/2) - s^3/(3 (1+s^2)^(3/2))) at s = 2 */
+  /* integral of 4 / (1 + 4 t^2)^(5/2) dt with s = 2 t: 2 (s/(1+s^2)^(1/2) - s^3/(3 (1+s^2)^(3/2)))
+   * at s = 2 */
   near(f.bending, 2 * (2 / sqrt(5) - 8 / (3 * pow(5, 1.5))), 1e-12);
 }
 
-/* Half a circle with a dent of 6 % at one of 13 points: the curve turns the other way in the dent, so it has two
- * inflections that a fair one has not. */
+/* Half a circle with a dent of 6 % at one of 13 points: the curve turns the other way in the dent,
+ * so it has two inflections that a fair one has not. */
 static lam_spline_curve bumpy(void) {
   enum { COUNT = 13 };
   lam_vec3 points[COUNT];
   for (int i = 0; i < COUNT; i++) {
-    double a = M_PI * i / (COUNT - 1), r = i == 6 ? 0.94 : 1;
+    double a = LAM_PI * i / (COUNT - 1), r = i == 6 ? 0.94 : 1;
     points[i] = lam_v3(r * cos(a), r * sin(a), 0);
   }
   return lam_interpolate_points(arena, LAM_ENDS_NATURAL, 3, LAM_PARAMETERS_UNIFORM, COUNT, points);

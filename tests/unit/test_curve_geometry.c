@@ -1,10 +1,11 @@
 /* Frames, lengths, parameters, forms of cubics and joins of curves, against known values. */
-#include "curve/closest.h"
+#include "core/numbers.h"
+#include "curve/bspline/parameters.h"
+#include "curve/closest_on_curve.h"
+#include "curve/curve_join.h"
 #include "curve/frenet.h"
 #include "curve/hermite.h"
-#include "curve/join.h"
 #include "curve/length.h"
-#include "curve/parameters.h"
 #include "tests/unit/curve_fixture.h"
 
 /* (3 cos t, 3 sin t, c t) with c = *data. */
@@ -16,7 +17,8 @@ static void helix(const void *data, double t, int order, lam_vec3 *x) {
   }
 }
 
-/* The helix (3 cos t, 3 sin t, 4 t) has curvature 3/25 = .12 and torsion 4/25 = .16; T = (0,3,4)/5 at t = 0. */
+/* The helix (3 cos t, 3 sin t, 4 t) has curvature 3/25 = .12 and torsion 4/25 = .16; T = (0,3,4)/5
+ * at t = 0. */
 static void test_helix(void **state) {
   (void)state;
   lam_vec3 x[4];
@@ -37,15 +39,16 @@ static void test_helix(void **state) {
 static void test_helix_length(void **state) {
   (void)state;
   double pitch = 4;
-  lam_curve curve = {helix, &pitch, 0, 2 * M_PI, 0, NULL};
-  near(lam_curve_length(&curve, 0, 2 * M_PI, 1e-13), 10 * M_PI, 1e-12);
+  lam_curve curve = {helix, &pitch, 0, 2 * LAM_PI, 0, NULL};
+  near(lam_curve_length(&curve, 0, 2 * LAM_PI, 1e-13), 10 * LAM_PI, 1e-12);
   near(lam_curve_length(&curve, 2, 1, 1e-13), -5, 1e-13);
   near(lam_curve_at_length(&curve, 1, 7.5, 1e-13), 2.5, 1e-12);
   near(lam_curve_at_length(&curve, 5, -7.5, 1e-13), 3.5, 1e-12);
-  near(lam_curve_at_length(&curve, 1, 1000, 1e-13), 2 * M_PI, 0);
+  near(lam_curve_at_length(&curve, 1, 1000, 1e-13), 2 * LAM_PI, 0);
 }
 
-/* The twisted cubic (t, t^2, t^3): curvature 2 and torsion 3 at t = 0; sqrt 19 / (7 sqrt 14) and 3/19 at t = 1. */
+/* The twisted cubic (t, t^2, t^3): curvature 2 and torsion 3 at t = 0; sqrt 19 / (7 sqrt 14) and
+ * 3/19 at t = 1. */
 static void test_twisted_cubic(void **state) {
   (void)state;
   lam_vec3 powers[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, x[4];
@@ -63,9 +66,10 @@ static void test_twisted_cubic(void **state) {
   near(f.torsion, 3.0 / 19, 1e-14);
 }
 
-/* The quarter circle ((1 - t^2), 2 t) / (1 + t^2) as a rational Bezier curve, weights 1, 1, 2: at t = 1/2 the point
- * (.6, .8), curvature 1, speed 2 / (1 + t^2) = 1.6. The fourth derivative of x + i y = (1 + i t) / (1 - i t)
- * = -1 + 2 / (1 - i t) is 48 / (1 - i t)^5. */
+/* The quarter circle ((1 - t^2), 2 t) / (1 + t^2) as a rational Bezier curve, weights 1, 1, 2: at t
+ * = 1/2 the point
+ * (.6, .8), curvature 1, speed 2 / (1 + t^2) = 1.6. The fourth derivative of x + i y = (1 + i t) /
+ * (1 - i t) = -1 + 2 / (1 - i t) is 48 / (1 - i t)^5. */
 static void test_rational_circle(void **state) {
   (void)state;
   const lam_vec3 points[] = {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -94,7 +98,8 @@ static void test_degenerate_frames(void **state) {
   assert_true(isnan(f.torsion) && isnan(lam_frenet_frame(still).curvature));
 }
 
-/* The parabola through (0,1), (1,3), (3,2) is -5/6 x^2 + 17/6 x + 1; through two points the line; a quintic comes back.
+/* The parabola through (0,1), (1,3), (3,2) is -5/6 x^2 + 17/6 x + 1; through two points the line; a
+ * quintic comes back.
  */
 static void test_polynomials(void **state) {
   (void)state;
@@ -117,8 +122,8 @@ static void test_polynomials(void **state) {
   for (int k = 0; k < 6; k++) near(a[k], wanted[k], 1e-12);
 }
 
-/* (0,0), (3,4), (3,10), (15,15): distances 5, 6, 13. Modified chord: from the formula with Euclidean distances, turns
- * .6435 and 1.1760. */
+/* (0,0), (3,4), (3,10), (15,15): distances 5, 6, 13. Modified chord: from the formula with
+ * Euclidean distances, turns .6435 and 1.1760. */
 static void test_parameters(void **state) {
   (void)state;
   const lam_vec3 points[] = {{0, 0, 0}, {3, 4, 0}, {3, 10, 0}, {15, 15, 0}};
@@ -133,8 +138,8 @@ static void test_parameters(void **state) {
   }
 }
 
-/* Hermite's functions at 1/3 are 20/27, 7/27, 4/27, -2/27; the piece from (0,0) to (1,0) with slopes (1,2), (1,-2)
- * passes
+/* Hermite's functions at 1/3 are 20/27, 7/27, 4/27, -2/27; the piece from (0,0) to (1,0) with
+ * slopes (1,2), (1,-2) passes
  * (.5,.5) and (.25,.375). All three forms give the same points and convert back. */
 static void test_cubic_forms(void **state) {
   (void)state;
@@ -160,8 +165,9 @@ static void test_cubic_forms(void **state) {
     lam_vec3 x = lam_hermite_eval(&h, t);
     lam_spline_curve bezier = {3, 4, knots, b, NULL};
     near3(point_at(&bezier, t), x, 1e-14);
-    near3(lam_add(lam_add(a[0], lam_scale(a[1], t)), lam_add(lam_scale(a[2], t * t), lam_scale(a[3], t * t * t))), x,
-          1e-14);
+    near3(lam_add(lam_add(a[0], lam_scale(a[1], t)),
+                  lam_add(lam_scale(a[2], t * t), lam_scale(a[3], t * t * t))),
+          x, 1e-14);
     lam_hermite from_a = lam_hermite_from_algebraic(a), from_b = lam_hermite_from_bezier(b);
     for (int i = 0; i < 2; i++) {
       near3(from_a.p[i], h.p[i], 1e-13);
@@ -172,10 +178,12 @@ static void test_cubic_forms(void **state) {
   }
 }
 
-/* A line traveled with speed 1/3, then 2/3: G1 (being straight even G2) with alpha 2, but only C0. */
+/* A line traveled with speed 1/3, then 2/3: G1 (being straight even G2) with alpha 2, but only C0.
+ */
 static void test_join_of_a_broken_line(void **state) {
   (void)state;
-  const lam_vec3 end[] = {{1, 1, 0}, {1, 1, 0}, {0, 0, 0}}, start[] = {{1, 1, 0}, {2, 2, 0}, {0, 0, 0}};
+  const lam_vec3 end[] = {{1, 1, 0}, {1, 1, 0}, {0, 0, 0}},
+                 start[] = {{1, 1, 0}, {2, 2, 0}, {0, 0, 0}};
   lam_join join = lam_join_test(end, start, 1, 1e-9);
   assert_true(join.geometric >= 1);
   assert_int_equal(join.parametric, 0);
@@ -186,7 +194,8 @@ static void test_join_of_a_broken_line(void **state) {
   assert_string_equal(join.fails[0], "the first derivatives differ");
 }
 
-/* Q' = 2 P', Q'' = 4 P'' + .7 P' is G2, not C1; Q' = P', Q'' = 2 P'' points the same way, is C1 and G1, not G2. */
+/* Q' = 2 P', Q'' = 4 P'' + .7 P' is G2, not C1; Q' = P', Q'' = 2 P'' points the same way, is C1 and
+ * G1, not G2. */
 static void test_join_of_curves(void **state) {
   (void)state;
   const lam_vec3 p[] = {{1, 2, 3}, {1, 0.5, -0.2}, {0.3, -1, 0.8}};
@@ -216,7 +225,8 @@ static void test_join_of_curves(void **state) {
   assert_string_equal(join.name[0], "none");
 }
 
-/* No point of a fine sampling is nearer, and inside the curve the way there is at right angles to it. */
+/* No point of a fine sampling is nearer, and inside the curve the way there is at right angles to
+ * it. */
 static void test_closest_points(void **state) {
   (void)state;
   for (int k = 0; k < 40; k++) {
@@ -224,7 +234,8 @@ static void test_closest_points(void **state) {
     lam_vec3 target = lam_scale(next_point(), 1.5);
     lam_closest found = lam_spline_curve_closest(arena, &c, target);
     double nearest = INFINITY;
-    for (int i = 0; i <= 3000; i++) nearest = fmin(nearest, lam_distance(point_at(&c, 1 + i / 1000.0), target));
+    for (int i = 0; i <= 3000; i++)
+      nearest = fmin(nearest, lam_distance(point_at(&c, 1 + i / 1000.0), target));
     assert_true(found.distance <= nearest * (1 + 1e-12) && found.distance >= nearest - 1e-2);
     near3(point_at(&c, found.t), found.point, 1e-15);
     near(lam_distance(found.point, target), found.distance, 1e-15);
@@ -232,12 +243,13 @@ static void test_closest_points(void **state) {
     lam_spline_curve_eval(&c, found.t, 1, x);
     lam_spline_curve_eval(&c, nextafter(found.t, 0), 1, left);
     bool corner = lam_distance(x[1], left[1]) > 1e-9;
-    if (found.t > 1 && found.t < 4 && !corner) near(lam_dot(lam_unit(lam_sub(target, x[0])), lam_unit(x[1])), 0, 1e-8);
+    if (found.t > 1 && found.t < 4 && !corner)
+      near(lam_dot(lam_unit(lam_sub(target, x[0])), lam_unit(x[1])), 0, 1e-8);
   }
 }
 
-/* Known nearest points: of the quarter circle (1, 0) to (0, 1), in the direction of the point, at an end beyond it, and
- * anywhere for the center; on the curve itself. */
+/* Known nearest points: of the quarter circle (1, 0) to (0, 1), in the direction of the point, at
+ * an end beyond it, and anywhere for the center; on the curve itself. */
 static void test_closest_on_a_circle(void **state) {
   (void)state;
   const lam_vec3 points[] = {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -254,19 +266,22 @@ static void test_closest_on_a_circle(void **state) {
   near(lam_spline_curve_closest(arena, &circle, point_at(&circle, 0.3)).t, 0.3, 1e-14);
 }
 
-/* A C2 curve cut in two joins with C2; elevating and speeding up the second part leaves G2 with alpha = 2. */
+/* A C2 curve cut in two joins with C2; elevating and speeding up the second part leaves G2 with
+ * alpha = 2. */
 static void test_join_of_parts(void **state) {
   (void)state;
   const int degrees[] = {3, 5};
   for (int k = 0; k < 2; k++) {
-    lam_spline_curve c = next_curve(degrees[k], degrees[k] + 3, k, true), a = lam_spline_curve_part(arena, c, 1, 2.4),
+    lam_spline_curve c = next_curve(degrees[k], degrees[k] + 3, k, true),
+                     a = lam_spline_curve_part(arena, c, 1, 2.4),
                      b = lam_spline_curve_part(arena, c, 2.4, 4);
     lam_join join = lam_join_curves(&a, &b, 1e-9);
     assert_int_equal(join.parametric, 2);
     near(join.alpha, 1, 1e-11);
     b = lam_spline_curve_from_net(
         arena,
-        lam_bspline_move_domain(arena, lam_bspline_elevate(arena, lam_spline_curve_net(arena, &b, false), 6), 0, 0.8));
+        lam_bspline_move_domain(
+            arena, lam_bspline_elevate(arena, lam_spline_curve_net(arena, &b, false), 6), 0, 0.8));
     join = lam_join_curves(&a, &b, 1e-9);
     assert_int_equal(join.parametric, 0);
     assert_int_equal(join.geometric, 2);

@@ -1,9 +1,9 @@
 /* Dense linear algebra, quadrature, collocation and minimization. */
-#include "core/dense.h"
-#include "core/minimize.h"
-#include "core/quadrature.h"
-#include "curve/basis.h"
-#include "curve/collocation.h"
+#include "core/numeric/dense.h"
+#include "core/numeric/minimize.h"
+#include "core/numeric/quadrature.h"
+#include "curve/bspline/basis.h"
+#include "curve/bspline/collocation.h"
 #include "tests/unit/net_fixture.h"
 
 enum { N = 12 };
@@ -46,11 +46,12 @@ static void test_singular_values(void **state) {
   assert_near(fabs(v[3] * c - v[1] * s), 1, 1e-3);
 }
 
-/* min x^2 + y^2 + z^2 with x + y + z = 3 is (1,1,1), with the condition given twice too; two different sums contradict;
- * without z in the energy and free z there is no unique minimum. */
+/* min x^2 + y^2 + z^2 with x + y + z = 3 is (1,1,1), with the condition given twice too; two
+ * different sums contradict; without z in the energy and free z there is no unique minimum. */
 static void test_least_energy(void **state) {
   net_fixture *f = *state;
-  double h[] = {2, 0, 0, 0, 2, 0, 0, 0, 2}, g[3] = {0}, c[] = {1, 1, 1, -2, -2, -2}, d[] = {3, -6}, x[3];
+  double h[] = {2, 0, 0, 0, 2, 0, 0, 0, 2}, g[3] = {0}, c[] = {1, 1, 1, -2, -2, -2}, d[] = {3, -6},
+         x[3];
   assert_int_equal(lam_least_energy(f->arena, 3, h, g, 2, c, d, 1e-9, x), LAM_LEAST_FOUND);
   for (int i = 0; i < 3; i++) assert_near(x[i], 1, 1e-14);
   d[1] = 5;
@@ -77,7 +78,8 @@ static void test_quadrature(void **state) {
   }
 }
 
-/* A cubic in the space of quintic splines with inner knots: the spline from its values is the cubic; elevation agrees.
+/* A cubic in the space of quintic splines with inner knots: the spline from its values is the
+ * cubic; elevation agrees.
  */
 static void test_collocation(void **state) {
   net_fixture *f = *state;
@@ -86,7 +88,8 @@ static void test_collocation(void **state) {
   assert_int_equal(count, 14);
   lam_collocation space = lam_collocation_make(f->arena, 5, count, knots);
   double values[14], bezier[6] = {1, -2, 4, 3}; /* Bezier points of the cubic */
-#define CUBIC(t) (pow(1 - (t), 3) - 6 * (t)*pow(1 - (t), 2) + 12 * (t) * (t) * (1 - (t)) + 3 * (t) * (t) * (t))
+#define CUBIC(t)                                                                                   \
+  (pow(1 - (t), 3) - 6 * (t)*pow(1 - (t), 2) + 12 * (t) * (t) * (1 - (t)) + 3 * (t) * (t) * (t))
   for (int i = 0; i < 14; i++) values[i] = CUBIC(space.places[i]);
   lam_collocation_solve(f->arena, &space, 1, values);
   lam_bezier_elevate(3, 5, 1, bezier);

@@ -1,10 +1,10 @@
 /* Nearly developable surfaces whose largest curvature is least. */
 #include "developable_fixture.h"
-#include "surf/developable_parts.h"
+#include "surf/developable/developable_parts.h"
 #include "surf/surface.h"
 
-/* max|K| of the best surfaces that an independent program found (Python: powers 2 to 48, 201 x 201 places), and whether
- * the bound of the corners can be met. */
+/* max|K| of the best surfaces that an independent program found (Python: powers 2 to 48, 201 x 201
+ * places), and whether the bound of the corners can be met. */
 static const struct {
   const char *name;
   double found;
@@ -23,8 +23,8 @@ static double random_in(uint64_t *state) {
 static bool is_inner(int i) { return i / 4 % 3 && i % 4 % 3; }
 
 static lam_spline_surface minimax_from(lam_arena *arena, lam_spline_surface s) {
-  lam_developable_result r =
-      lam_developable_solve(arena, &s, (lam_developable_options){.method = LAM_DEVELOPABLE_MINIMAX});
+  lam_developable_result r = lam_developable_solve(
+      arena, &s, (lam_developable_options){.method = LAM_DEVELOPABLE_MINIMAX});
   if (!r.converged) fail_msg("%s", r.reason);
   return s;
 }
@@ -33,7 +33,8 @@ static lam_spline_surface minimax(lam_arena *arena, const json_t *c) {
   return minimax_from(arena, dev_coons(arena, c));
 }
 
-/* At 401 x 401 places, by the fundamental forms: nothing between the places that were minimized over may stick out. */
+/* At 401 x 401 places, by the fundamental forms: nothing between the places that were minimized
+ * over may stick out. */
 static void the_largest_curvature_is_below_any_found_before(void **state) {
   dev_fixture *f = *state;
   for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
@@ -42,13 +43,15 @@ static void the_largest_curvature_is_below_any_found_before(void **state) {
     lam_developable_measures m = lam_developable_measure(f->arena, &s, 10, 400);
     if (!(m.max <= cases[k].found))
       fail_msg("%s: max|K| is %.9g; found before: %g", cases[k].name, m.max, cases[k].found);
-    if (cases[k].meets_bound) dev_close(cases[k].name, "max|K|", m.max, dev_number(c, "corner_bound"), 1e-5);
+    if (cases[k].meets_bound)
+      dev_close(cases[k].name, "max|K|", m.max, dev_number(c, "corner_bound"), 1e-5);
     assert_true(m.max >= dev_number(c, "corner_bound") * (1 - 1e-9));
     assert_true(m.least_ratio > .1);
   }
 }
 
-/* Inner points of D4 moved at random, by a tenth of a side: the same maximum is found, and the four sides stay. */
+/* Inner points of D4 moved at random, by a tenth of a side: the same maximum is found, and the four
+ * sides stay. */
 static void another_start_leads_to_the_same_maximum(void **state) {
   dev_fixture *f = *state;
   uint64_t seed = 3;
@@ -63,11 +66,14 @@ static void another_start_leads_to_the_same_maximum(void **state) {
   other = minimax_from(f->arena, other);
   for (int i = 0; i < 16; i++)
     if (!is_inner(i)) assert_true(lam_distance(other.points[i], coons.points[i]) == 0);
-  double from_coons = lam_developable_measure(f->arena, (lam_spline_surface[]){minimax(f->arena, c)}, 10, 400).max;
-  dev_close("D4", "max|K|", lam_developable_measure(f->arena, &other, 10, 400).max, from_coons, 2e-4);
+  double from_coons =
+      lam_developable_measure(f->arena, (lam_spline_surface[]){minimax(f->arena, c)}, 10, 400).max;
+  dev_close("D4", "max|K|", lam_developable_measure(f->arena, &other, 10, 400).max, from_coons,
+            2e-4);
 }
 
-/* The minimum of power 16 is better than both others by its own measure, with a finer rule, and between them by theirs.
+/* The minimum of power 16 is better than both others by its own measure, with a finer rule, and
+ * between them by theirs.
  */
 static void every_power_has_its_own_minimum(void **state) {
   dev_fixture *f = *state;

@@ -1,9 +1,10 @@
 /* A panel of a facade, from the shipped design to its flat pattern. */
 #include "core/error.h"
 #include "core/file.h"
-#include "design/build.h"
+#include "core/numbers.h"
 #include "design/design.h"
-#include "surf/spline_surface.h"
+#include "design/pipeline_run.h"
+#include "surf/spline/spline_surface.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -40,7 +41,8 @@ static void measure_surface(lam_arena *arena, const lam_spline_surface *s, doubl
   for (int k = 0; k < 4; k++) {
     int d = k / 2;
     double low[2], high[2];
-    for (int i = 0; i < 2; i++) low[i] = s->knots[i][s->degree[i]], high[i] = s->knots[i][s->count[i]];
+    for (int i = 0; i < 2; i++)
+      low[i] = s->knots[i][s->degree[i]], high[i] = s->knots[i][s->count[i]];
     lam_vec3 last = {0};
     side[k] = 0;
     for (int i = 0; i <= chords; i++) {
@@ -66,7 +68,7 @@ static void measure_pattern(const lam_path *outline, double side[4]) {
       lam_vec2 a = x[(i + n - 1) % n], b = x[i], c = x[(i + 1) % n];
       double turn = atan2((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x),
                           (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y));
-      bool corner = fabs(turn) > M_PI / 4;
+      bool corner = fabs(turn) > LAM_PI / 4;
       if (!pass) {
         if (corner && first < 0) first = i;
         continue;
@@ -80,8 +82,8 @@ static void measure_pattern(const lam_path *outline, double side[4]) {
   qsort(side, 4, sizeof *side, compare);
 }
 
-/* The frame is 2.4 m long; the sheet strains by 1.3e-4 at one place, by 1.5e-5 in the mean: what is cut is what the
- * frame asks for, to a tenth of a millimeter. */
+/* The frame is 2.4 m long; the sheet strains by 1.3e-4 at one place, by 1.5e-5 in the mean: what is
+ * cut is what the frame asks for, to a tenth of a millimeter. */
 static void the_pattern_is_true_to_size(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -93,11 +95,13 @@ static void the_pattern_is_true_to_size(void **state) {
   measure_surface(arena, &model.surfaces[0], sides);
   measure_pattern(&model.parts[0].flat->paths[0], cut);
   for (int k = 0; k < 4; k++)
-    if (fabs(sides[k] - cut[k]) > 1e-4) fail_msg("a side of %.6f m is cut as %.6f m", sides[k], cut[k]);
+    if (fabs(sides[k] - cut[k]) > 1e-4)
+      fail_msg("a side of %.6f m is cut as %.6f m", sides[k], cut[k]);
   lam_arena_free(arena);
 }
 
-/* The area of the sheet is that of the surface: strains of both signs cancel to first order where they are small. */
+/* The area of the sheet is that of the surface: strains of both signs cancel to first order where
+ * they are small. */
 static void the_pattern_has_the_area_of_the_surface(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -107,8 +111,10 @@ static void the_pattern_has_the_area_of_the_surface(void **state) {
   const lam_spline_surface *s = &model.surfaces[0];
   const lam_nurbs *nurbs = lam_nurbs_make(arena, s);
   double low[2], length[2], area = 0, cut = 0;
-  for (int d = 0; d < 2; d++) low[d] = s->knots[d][s->degree[d]], length[d] = s->knots[d][s->count[d]] - low[d];
-  for (int k = 0; k < places * places; k++) { /* midpoint rule: its error falls with the square, here below 1e-6 */
+  for (int d = 0; d < 2; d++)
+    low[d] = s->knots[d][s->degree[d]], length[d] = s->knots[d][s->count[d]] - low[d];
+  for (int k = 0; k < places * places;
+       k++) { /* midpoint rule: its error falls with the square, here below 1e-6 */
     lam_jet jet;
     lam_nurbs_eval(nurbs, low[0] + length[0] * (k / places + .5) / places,
                    low[1] + length[1] * (k % places + .5) / places, &jet);
@@ -119,7 +125,8 @@ static void the_pattern_has_the_area_of_the_surface(void **state) {
     lam_vec2 a = outline->points[i], b = outline->points[(i + 1) % outline->count];
     cut += (a.x * b.y - a.y * b.x) / 2;
   }
-  if (fabs(fabs(cut) / area - 1) > 5e-5) fail_msg("%.7f m2 of surface are cut as %.7f m2", area, fabs(cut));
+  if (fabs(fabs(cut) / area - 1) > 5e-5)
+    fail_msg("%.7f m2 of surface are cut as %.7f m2", area, fabs(cut));
   lam_arena_free(arena);
 }
 

@@ -1,6 +1,6 @@
-/* Geodesic nets beyond the table of cases: developability on finer and finer grids, geodesics of a surface of
- * revolution, bending without stretching, handles, and rough starts. */
-#include "core/mesh.h"
+/* Geodesic nets beyond the table of cases: developability on finer and finer grids, geodesics of a
+ * surface of revolution, bending without stretching, handles, and rough starts. */
+#include "core/solid/triangles.h"
 #include "net/multilevel.h"
 #include "net/optimize.h"
 #include "net_fixture.h"
@@ -11,8 +11,8 @@ typedef struct outcome {
   lam_net_result result;
 } outcome;
 
-static outcome solve_on(net_fixture *f, const lam_mesh *mesh, const char *kind_name, const char *params,
-                        const char *keys, const lam_trimesh *reference) {
+static outcome solve_on(net_fixture *f, const lam_mesh *mesh, const char *kind_name,
+                        const char *params, const char *keys, const lam_trimesh *reference) {
   outcome o = {.net = net_built(f, mesh)};
   o.start = LAM_NEW(f->arena, lam_vec3, mesh->vertex_count);
   memcpy(o.start, mesh->vertices, sizeof(lam_vec3) * (size_t)mesh->vertex_count);
@@ -30,12 +30,14 @@ static outcome solve_on(net_fixture *f, const lam_mesh *mesh, const char *kind_n
   return o;
 }
 
-static outcome solve(net_fixture *f, const lam_mesh *mesh, const char *kind, const char *params, const char *keys) {
+static outcome solve(net_fixture *f, const lam_mesh *mesh, const char *kind, const char *params,
+                     const char *keys) {
   return solve_on(f, mesh, kind, params, keys, NULL);
 }
 
 static void assert_converged(const outcome *o, const char *what) {
-  if (!o->result.converged) fail_msg("%s: %s (residual %g)", what, o->result.reason, o->result.solution.residual);
+  if (!o->result.converged)
+    fail_msg("%s: %s (residual %g)", what, o->result.reason, o->result.solution.residual);
 }
 
 static double measure(net_fixture *f, const outcome *o, const char *name) {
@@ -43,7 +45,8 @@ static double measure(net_fixture *f, const outcome *o, const char *name) {
   in.start = o->start;
   const lam_measure_kind *kind = lam_measure_find(name);
   assert_non_null(kind);
-  return lam_measure_summary(kind, lam_measure_values(kind, &in), lam_measure_size(kind, &o->net)).max;
+  return lam_measure_summary(kind, lam_measure_values(kind, &in), lam_measure_size(kind, &o->net))
+      .max;
 }
 
 static lam_mesh case_mesh(net_fixture *f, const char *name) {
@@ -56,14 +59,15 @@ typedef struct gauss_area {
   double plain, with_sign;
 } gauss_area;
 
-/* Normals of the stars, unit((e1 - e3) x (e2 - e4)), span a quad on the sphere for every face that has four of them:
- * half the product of its diagonals, along its mean normal. */
+/* Normals of the stars, unit((e1 - e3) x (e2 - e4)), span a quad on the sphere for every face that
+ * has four of them: half the product of its diagonals, along its mean normal. */
 static gauss_area gauss_image(net_fixture *f, const lam_net *net) {
   lam_vec3 *normal = LAM_NEW(f->arena, lam_vec3, net->mesh.vertex_count);
   for (int s = 0; s < net->star_count; s++) {
     lam_vec3 e[4];
     for (int k = 0; k < 4; k++)
-      e[k] = lam_unit(lam_sub(net->mesh.vertices[net->stars[s].neighbor[k]], net->mesh.vertices[net->stars[s].center]));
+      e[k] = lam_unit(lam_sub(net->mesh.vertices[net->stars[s].neighbor[k]],
+                              net->mesh.vertices[net->stars[s].center]));
     normal[net->stars[s].center] = lam_unit(lam_cross(lam_sub(e[0], e[2]), lam_sub(e[1], e[3])));
   }
   gauss_area sum = {0, 0};
@@ -71,9 +75,11 @@ static gauss_area gauss_image(net_fixture *f, const lam_net *net) {
     const int *c = net->mesh.faces[i];
     bool inner = true;
     lam_vec3 mean = {0, 0, 0};
-    for (int k = 0; k < 4; k++) inner &= net->star_of_vertex[c[k]] >= 0, mean = lam_add(mean, normal[c[k]]);
+    for (int k = 0; k < 4; k++)
+      inner &= net->star_of_vertex[c[k]] >= 0, mean = lam_add(mean, normal[c[k]]);
     if (!inner) continue;
-    lam_vec3 twice = lam_cross(lam_sub(normal[c[2]], normal[c[0]]), lam_sub(normal[c[3]], normal[c[1]]));
+    lam_vec3 twice =
+        lam_cross(lam_sub(normal[c[2]], normal[c[0]]), lam_sub(normal[c[3]], normal[c[1]]));
     double area = .5 * lam_dot(twice, lam_unit(mean));
     sum.plain += fabs(area);
     sum.with_sign += area;
@@ -81,9 +87,10 @@ static gauss_area gauss_image(net_fixture *f, const lam_net *net) {
   return sum;
 }
 
-/* Patches of the torus R = 1.5, r = .7, 17 x 17 vertices: outside, inside, and across the circle between. Areas at the
- * start (exact to its three figures), and after one fine solve: reference solutions have .055 to .061, .028 to .046
- * and, without folds, .035 to .040. Solved coarse to fine, an eighth of that is left, and the net is still no plane. */
+/* Patches of the torus R = 1.5, r = .7, 17 x 17 vertices: outside, inside, and across the circle
+ * between. Areas at the start (exact to its three figures), and after one fine solve: reference
+ * solutions have .055 to .061, .028 to .046 and, without folds, .035 to .040. Solved coarse to
+ * fine, an eighth of that is left, and the net is still no plane. */
 static void orthogonal_geodesic_nets_are_nearly_developable(void **state) {
   net_fixture *f = *state;
   static const struct {
@@ -96,7 +103,8 @@ static void orthogonal_geodesic_nets_are_nearly_developable(void **state) {
     lam_mesh mesh = case_mesh(f, rows[i].name);
     lam_net start = net_built(f, &mesh);
     assert_near(gauss_image(f, &start).plain, rows[i].before, 5e-4);
-    outcome fine = solve(f, &mesh, "dog", "{border: yes}", "{levels: 0}"), coarse = solve(f, &mesh, "dog", "{}", "{}");
+    outcome fine = solve(f, &mesh, "dog", "{border: yes}", "{levels: 0}"),
+            coarse = solve(f, &mesh, "dog", "{}", "{}");
     assert_converged(&fine, rows[i].name);
     assert_converged(&coarse, rows[i].name);
     assert_int_equal(coarse.result.levels, 1); /* 9 x 9 vertices, 64 faces */
@@ -111,22 +119,26 @@ static lam_mesh sheared_patch(net_fixture *f, double angle) {
   lam_mesh mesh = lam_mesh_grid(f->arena, 9, 9, false, false);
   for (int i = 0; i < 9; i++)
     for (int j = 0; j < 9; j++) {
-      double u = .225 * (j - 4) + .105 / .8 * cos(angle) * (i - 4), v = net_pi + .15 * sin(angle) * (i - 4);
+      double u = .225 * (j - 4) + .105 / .8 * cos(angle) * (i - 4),
+             v = net_pi + .15 * sin(angle) * (i - 4);
       double c = 1.5 + .7 * cos(v);
       mesh.vertices[9 * i + j] = lam_v3(c * cos(u), c * sin(u), -.7 * sin(v));
     }
   return mesh;
 }
 
-/* Signed area on 9 x 9, 17 x 17 and 33 x 33 vertices, each solved from the refined coarser one: it falls to a third or
- * less with every halving whatever the angle, so isogonal geodesic nets are developable in the limit. Reference
- * solutions: 45 degrees -.0449, -.0134, -.0029; 60 degrees -.0244, -.0070, -.0013; 90 degrees -.0029, -.0013, -.0003.
+/* Signed area on 9 x 9, 17 x 17 and 33 x 33 vertices, each solved from the refined coarser one: it
+ * falls to a third or less with every halving whatever the angle, so isogonal geodesic nets are
+ * developable in the limit. Reference solutions: 45 degrees -.0449, -.0134, -.0029; 60 degrees
+ * -.0244, -.0070, -.0013; 90 degrees -.0029, -.0013, -.0003.
  */
 static void isogonal_geodesic_nets_tend_to_developable(void **state) {
   net_fixture *f = *state;
   static const struct {
     double angle, area[3];
-  } rows[] = {{45, {-.0449, -.0134, -.0029}}, {60, {-.0244, -.0070, -.0013}}, {90, {-.0029, -.0013, -.0003}}};
+  } rows[] = {{45, {-.0449, -.0134, -.0029}},
+              {60, {-.0244, -.0070, -.0013}},
+              {90, {-.0029, -.0013, -.0003}}};
   for (int i = 0; i < 3; i++) {
     lam_mesh mesh = sheared_patch(f, rows[i].angle * net_pi / 180);
     for (int level = 0; level < 3; level++) {
@@ -156,14 +168,16 @@ static lam_trimesh pin(net_fixture *f, int around, int along) {
   for (int i = 0; i < around; i++)
     for (int j = 0; j < along; j++) {
       double u = 2 * net_pi * i / around, z = -2.6 + 5.2 * j / (along - 1), r = pin_radius(z);
-      mesh.vertices[i * along + j] = lam_v3(r * cos(u) / pin_scale, r * sin(u) / pin_scale, z / pin_scale);
+      mesh.vertices[i * along + j] =
+          lam_v3(r * cos(u) / pin_scale, r * sin(u) / pin_scale, z / pin_scale);
     }
   return lam_mesh_triangles(f->arena, &mesh);
 }
 
-/* Clairaut: r cos(alpha) is constant along every geodesic. Its spread is .57 m at the twisted start,
- * and 9.2e-4, 2.4e-4, 6.5e-5 m on three grids in reference solutions on the exact surface; here the surface is a mesh
- * that is 5e-5 m off. The constants stay between .35 and .55 m: the lines are no meridians, for which they would be 0.
+/* Clairaut: r cos(alpha) is constant along every geodesic. Its spread is .57 m at the twisted
+ * start, and 9.2e-4, 2.4e-4, 6.5e-5 m on three grids in reference solutions on the exact surface;
+ * here the surface is a mesh that is 5e-5 m off. The constants stay between .35 and .55 m: the
+ * lines are no meridians, for which they would be 0.
  */
 static void geodesics_of_a_pin_keep_clairauts_constant(void **state) {
   net_fixture *f = *state;
@@ -172,8 +186,8 @@ static void geodesics_of_a_pin_keep_clairauts_constant(void **state) {
   lam_trimesh reference = pin(f, 480, 420);
   const lam_measure_kind *clairaut = lam_measure_find("clairaut_u");
   for (int level = 0; level < 3; level++) {
-    outcome o = solve_on(f, &mesh, "geodesic-parallel", "{}", "{reference: {weight: 10}, solver: {fairness: 0.02}}",
-                         &reference);
+    outcome o = solve_on(f, &mesh, "geodesic-parallel", "{}",
+                         "{reference: {weight: 10}, solver: {fairness: 0.02}}", &reference);
     assert_converged(&o, "pin");
     assert_below(o.result.solution.iterations, 15); /* reference: 10 */
     lam_measuring in = lam_measuring_of(f->arena, &o.net, o.net.mesh.vertices);
@@ -186,7 +200,8 @@ static void geodesics_of_a_pin_keep_clairauts_constant(void **state) {
       const lam_polyline *line = &o.net.polylines[l];
       if (line->family != 0) continue;
       lam_vec3 x = o.net.mesh.vertices[line->vertices[1]];
-      lam_vec3 t = lam_unit(lam_sub(o.net.mesh.vertices[line->vertices[2]], o.net.mesh.vertices[line->vertices[0]]));
+      lam_vec3 t = lam_unit(
+          lam_sub(o.net.mesh.vertices[line->vertices[2]], o.net.mesh.vertices[line->vertices[0]]));
       assert_near(fabs(x.x * t.y - x.y * t.x) * pin_scale, .45, .1);
     }
     for (int v = 0; v < o.net.mesh.vertex_count; v++) {
@@ -199,9 +214,10 @@ static void geodesics_of_a_pin_keep_clairauts_constant(void **state) {
 
 /* ---- bending ---- */
 
-/* Strips along the geodesics of a nearly developable net, on its rulings: the ruling at a vertex is the direction in
- * which the normals n of its two neighbors on the line agree, n(k-1) x n(k+1). Over the distance of one edge the quads
- * between rulings are flat to 7e-4 of their diagonals (reference solution; the quads of the net itself: .015). */
+/* Strips along the geodesics of a nearly developable net, on its rulings: the ruling at a vertex is
+ * the direction in which the normals n of its two neighbors on the line agree, n(k-1) x n(k+1).
+ * Over the distance of one edge the quads between rulings are flat to 7e-4 of their diagonals
+ * (reference solution; the quads of the net itself: .015). */
 static void strips_on_rulings_are_flat(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "20_dgpc_developable_cyl30");
@@ -222,7 +238,8 @@ static void strips_on_rulings_are_flat(void **state) {
       bool curved = lam_length(r) > .03; /* where it is flat there is no ruling */
       end[v] = lam_along(x, 1 / lam_dot(r, across), r);
       if (curved && before) {
-        lam_vec3 d = lam_sub(end[v], o.net.mesh.vertices[v - 15]), e = lam_sub(end[v - 15], x), n = lam_cross(d, e);
+        lam_vec3 d = lam_sub(end[v], o.net.mesh.vertices[v - 15]), e = lam_sub(end[v - 15], x),
+                 n = lam_cross(d, e);
         double off = fabs(lam_dot(lam_unit(n), lam_sub(x, o.net.mesh.vertices[v - 15])));
         worst = fmax(worst, off / (.5 * (lam_length(d) + lam_length(e))));
         count++;
@@ -234,14 +251,16 @@ static void strips_on_rulings_are_flat(void **state) {
   assert_true(count > 60);
 }
 
-/* A 17 x 17 sheet of 16 edges; two opposite inner corners are lifted by 4 edges in five steps, the others and the
- * middle stay. Reference solution: Gauss image .00257, a residual of 2e-15 with one geodesic divided evenly, but 1e-5
- * with all of them, which are 990 equations (with the handles) for 867 unknowns. */
-static const char sheet_handles[] = "handles: [{vertex: [18, -1], to: [-2.786579 m, -9.499119 m, 3.9986 m], steps: 5}, "
-                                    "{vertex: [32, -1], to: [-9.499119 m, 2.786579 m, -0.000378 m]}, "
-                                    "{vertex: [270, -1], to: [2.786579 m, 9.499119 m, 3.9986 m]}, "
-                                    "{vertex: [256, -1], to: [9.499119 m, -2.786579 m, -0.00087 m]}, "
-                                    "{vertex: [144, -1], to: [0 m, 0 m, 0.000512 m]}]";
+/* A 17 x 17 sheet of 16 edges; two opposite inner corners are lifted by 4 edges in five steps, the
+ * others and the middle stay. Reference solution: Gauss image .00257, a residual of 2e-15 with one
+ * geodesic divided evenly, but 1e-5 with all of them, which are 990 equations (with the handles)
+ * for 867 unknowns. */
+static const char sheet_handles[] =
+    "handles: [{vertex: [18, -1], to: [-2.786579 m, -9.499119 m, 3.9986 m], steps: 5}, "
+    "{vertex: [32, -1], to: [-9.499119 m, 2.786579 m, -0.000378 m]}, "
+    "{vertex: [270, -1], to: [2.786579 m, 9.499119 m, 3.9986 m]}, "
+    "{vertex: [256, -1], to: [9.499119 m, -2.786579 m, -0.00087 m]}, "
+    "{vertex: [144, -1], to: [0 m, 0 m, 0.000512 m]}]";
 
 static void a_sheet_bends_by_handles(void **state) {
   net_fixture *f = *state;
@@ -251,7 +270,8 @@ static void a_sheet_bends_by_handles(void **state) {
   assert_converged(&one, "one line divided evenly");
   assert_below(one.result.solution.residual, 1e-12);
   assert_near(gauss_image(f, &one.net).plain, .00257, 2e-4);
-  assert_near(lam_distance(one.net.mesh.vertices[18], lam_v3(-2.786579, -9.499119, 3.9986)), 0, 1e-11);
+  assert_near(lam_distance(one.net.mesh.vertices[18], lam_v3(-2.786579, -9.499119, 3.9986)), 0,
+              1e-11);
   assert_near(one.result.drift, 4.92, .05);
   outcome all = solve(f, &mesh, "geodesic-parallel", "{developable: thesis}", keys);
   assert_false(all.result.converged);
@@ -261,23 +281,26 @@ static void a_sheet_bends_by_handles(void **state) {
   assert_null(all.result.degenerate);
 }
 
-/* A piece of a surface of revolution whose four inner corners are drawn together by 1.5 edges each while all edges keep
- * their lengths. 286 + 362 equations, and 12 for the handles, stand against 585 unknowns: no solver meets them, and the
- * report says so. Reference: residuals of 6.5e-5 to 1.2e-4 and strains of 5e-5 to 1.4e-4 after the handles let go. */
+/* A piece of a surface of revolution whose four inner corners are drawn together by 1.5 edges each
+ * while all edges keep their lengths. 286 + 362 equations, and 12 for the handles, stand against
+ * 585 unknowns: no solver meets them, and the report says so. Reference: residuals of 6.5e-5
+ * to 1.2e-4 and strains of 5e-5 to 1.4e-4 after the handles let go. */
 static void bending_without_stretching_has_a_floor(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "22_dgpc_isometric_bend");
   for (int release = 0; release < 2; release++) {
-    const char *handle[4] = {
-        "[14, -1], to: [2.211342 m, -1.739979 m, -7.210743 m]", "[24, -1], to: [2.211342 m, 1.739979 m, -7.210743 m]",
-        "[170, -1], to: [4.466049 m, -3.514079 m, 7.210743 m]", "[180, -1], to: [4.466049 m, 3.514079 m, 7.210743 m]"};
+    const char *handle[4] = {"[14, -1], to: [2.211342 m, -1.739979 m, -7.210743 m]",
+                             "[24, -1], to: [2.211342 m, 1.739979 m, -7.210743 m]",
+                             "[170, -1], to: [4.466049 m, -3.514079 m, 7.210743 m]",
+                             "[180, -1], to: [4.466049 m, 3.514079 m, 7.210743 m]"};
     const char *keys = "{solver: {fairness: 0.01}, handles: [", *flag = release ? "yes" : "no";
     for (int k = 0; k < 4; k++)
-      keys = lam_arena_printf(f->arena, "%s{vertex: %s, steps: 5, release: %s}%s", keys, handle[k], flag,
-                              k < 3 ? ", " : "]}");
+      keys = lam_arena_printf(f->arena, "%s{vertex: %s, steps: 5, release: %s}%s", keys, handle[k],
+                              flag, k < 3 ? ", " : "]}");
     outcome o = solve(f, &mesh, "geodesic-parallel", "{isometric: yes, border: no}", keys);
     assert_false(o.result.converged);
-    const char *named = release ? "over-determined: 648 equations for 585" : "over-determined: 660 equations for 585";
+    const char *named = release ? "over-determined: 648 equations for 585"
+                                : "over-determined: 660 equations for 585";
     if (!strstr(o.result.reason, named)) fail_msg("%s instead of %s", o.result.reason, named);
     assert_null(o.result.degenerate);
     assert_below(o.result.solution.residual, 5e-4);
@@ -287,27 +310,30 @@ static void bending_without_stretching_has_a_floor(void **state) {
     assert_true(o.result.drift > 1); /* it did bend */
     bool strain = false;
     for (int i = 0; i < o.result.measure_count; i++)
-      strain |= !strcmp(o.result.measures[i].name, "edge_strain") && o.result.measures[i].count == 362;
+      strain |=
+          !strcmp(o.result.measures[i].name, "edge_strain") && o.result.measures[i].count == 362;
     assert_true(strain); /* and the report has it */
   }
 }
 
-/* Handles that pull an inelastic net apart by half its size again: not converged, and strains of percents say why. */
+/* Handles that pull an inelastic net apart by half its size again: not converged, and strains of
+ * percents say why. */
 static void handles_out_of_reach_show_as_strain(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "22_dgpc_isometric_bend");
   lam_vec3 a = mesh.vertices[14], b = mesh.vertices[180], far = lam_along(b, .5, lam_sub(b, a));
-  const char *keys =
-      lam_arena_printf(f->arena,
-                       "{handles: [{vertex: [14, -1], to: [%.9f m, %.9f m, %.9f m]}, {vertex: [180, -1], to: "
-                       "[%.9f m, %.9f m, %.9f m]}]}",
-                       a.x, a.y, a.z, far.x, far.y, far.z);
+  const char *keys = lam_arena_printf(
+      f->arena,
+      "{handles: [{vertex: [14, -1], to: [%.9f m, %.9f m, %.9f m]}, {vertex: [180, -1], to: "
+      "[%.9f m, %.9f m, %.9f m]}]}",
+      a.x, a.y, a.z, far.x, far.y, far.z);
   outcome o = solve(f, &mesh, "geodesic-parallel", "{isometric: yes, border: no}", keys);
   assert_false(o.result.converged);
   assert_true(measure(f, &o, "edge_strain") > .02);
 }
 
-/* Equal widths: between two lines along v all edges across strips are of one length, so that the strips are copies. */
+/* Equal widths: between two lines along v all edges across strips are of one length, so that the
+ * strips are copies. */
 static void equal_and_proportional_strips(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "18_dgpc_free");
@@ -331,10 +357,12 @@ static void equal_and_proportional_strips(void **state) {
   assert_below(spread, 1e-10);
 }
 
-/* The family of the geodesics is a choice: on a grid with the families exchanged, family 1 gives the same net. */
+/* The family of the geodesics is a choice: on a grid with the families exchanged, family 1 gives
+ * the same net. */
 static void either_family_may_hold_the_geodesics(void **state) {
   net_fixture *f = *state;
-  lam_mesh mesh = case_mesh(f, "18_dgpc_free"), other = lam_mesh_grid(f->arena, 15, 15, false, false);
+  lam_mesh mesh = case_mesh(f, "18_dgpc_free"),
+           other = lam_mesh_grid(f->arena, 15, 15, false, false);
   for (int i = 0; i < 15; i++)
     for (int j = 0; j < 15; j++) other.vertices[15 * j + i] = mesh.vertices[15 * i + j];
   outcome u = solve(f, &mesh, "geodesic-parallel", "{}", "{}");
@@ -344,7 +372,8 @@ static void either_family_may_hold_the_geodesics(void **state) {
   assert_below(measure(f, &v, "geodesic_error_v"), 1e-9);
   for (int i = 0; i < 15; i++)
     for (int j = 0; j < 15; j++)
-      assert_near(lam_distance(u.net.mesh.vertices[15 * i + j], v.net.mesh.vertices[15 * j + i]), 0, 1e-9);
+      assert_near(lam_distance(u.net.mesh.vertices[15 * i + j], v.net.mesh.vertices[15 * j + i]), 0,
+                  1e-9);
 }
 
 /* ---- rough starts ---- */
@@ -367,8 +396,10 @@ static void noise_and_any_grid(void **state) {
     for (int g = 0; g < 4; g++) {
       lam_mesh mesh = torus_patch(f, grids[g]);
       outcome o = solve(f, &mesh, kinds[k], "{}", "{}");
-      bool named = grids[g] <= 5 && o.result.degenerate; /* so few vertices may end in a plane; the report says so */
-      if (!named) assert_converged(&o, lam_arena_printf(f->arena, "%s, %d cells", kinds[k], grids[g]));
+      bool named = grids[g] <= 5 &&
+                   o.result.degenerate; /* so few vertices may end in a plane; the report says so */
+      if (!named)
+        assert_converged(&o, lam_arena_printf(f->arena, "%s, %d cells", kinds[k], grids[g]));
     }
     for (int noise = 1; noise <= 2; noise++) {
       lam_mesh mesh = torus_patch(f, 16);
@@ -381,7 +412,8 @@ static void noise_and_any_grid(void **state) {
   }
 }
 
-/* A closed ring, a bulging tube: geodesics along it, and an orthogonal geodesic net, which becomes a cone or cylinder.
+/* A closed ring, a bulging tube: geodesics along it, and an orthogonal geodesic net, which becomes
+ * a cone or cylinder.
  */
 static void closed_rings(void **state) {
   net_fixture *f = *state;
@@ -398,9 +430,12 @@ static void closed_rings(void **state) {
 
 /* ---- levels ---- */
 
-static lam_vec3 paraboloid(double i, double j) { return lam_v3(i, j, .1 * i * i - .07 * i * j + .05 * j * j); }
+static lam_vec3 paraboloid(double i, double j) {
+  return lam_v3(i, j, .1 * i * i - .07 * i * j + .05 * j * j);
+}
 
-/* The four-point rule reproduces polynomials of degree 2, up to the ends: every fine vertex comes back to its place. */
+/* The four-point rule reproduces polynomials of degree 2, up to the ends: every fine vertex comes
+ * back to its place. */
 static void refined_levels_return_to_their_vertices(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 9, 13, paraboloid);
@@ -427,10 +462,12 @@ static void refined_levels_return_to_their_vertices(void **state) {
   assert_false(lam_level_make(f->arena, &net, 1, &level));
 }
 
-/* Any topology: a ring, a torus and a monkey saddle with a vertex of valence 6 all refine what they coarsened to. */
+/* Any topology: a ring, a torus and a monkey saddle with a vertex of valence 6 all refine what they
+ * coarsened to. */
 static void levels_of_any_topology(void **state) {
   net_fixture *f = *state;
-  lam_mesh meshes[3] = {net_tube(f->arena, 12, 9), net_torus(f->arena, 12, 16, 3, 1), net_monkey(f, 8, 0)};
+  lam_mesh meshes[3] = {net_tube(f->arena, 12, 9), net_torus(f->arena, 12, 16, 3, 1),
+                        net_monkey(f, 8, 0)};
   for (int i = 0; i < 3; i++) {
     lam_net net = net_built(f, &meshes[i]);
     lam_level level;
@@ -455,8 +492,8 @@ static void levels_of_any_topology(void **state) {
   }
 }
 
-/* Handles are carried over to the coarse net and met exactly by the fine one, wherever they stand; a fixed boundary
- * stays where it was. */
+/* Handles are carried over to the coarse net and met exactly by the fine one, wherever they stand;
+ * a fixed boundary stays where it was. */
 static void levels_with_handles_and_fixed_boundaries(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = torus_patch(f, 16);

@@ -1,5 +1,7 @@
-/* Shading vertices and the glTF writer. What the files look like to others is tested in tests/cli/gltf.t. */
+/* Shading vertices and the glTF writer. What the files look like to others is tested in
+ * tests/cli/gltf.t. */
 #include "core/arena.h"
+#include "core/numbers.h"
 #include "formats/corner_normals.h"
 #include "formats/format.h"
 #include <setjmp.h>
@@ -20,29 +22,30 @@ static lam_trimesh prism(lam_arena *arena, int sides) {
   int low = 2 * sides, high = low + 1;
   m.vertices[high] = lam_v3(0, 0, 1);
   for (int i = 0; i < sides; i++) {
-    double angle = 2 * M_PI * i / sides;
+    double angle = 2 * LAM_PI * i / sides;
     int a = 2 * i, b = 2 * ((i + 1) % sides);
     m.vertices[a] = lam_v3(cos(angle), sin(angle), 0);
     m.vertices[a + 1] = lam_v3(cos(angle), sin(angle), 1);
-    const int triangles[4][3] = {{a, b, b + 1}, {a, b + 1, a + 1}, {low, b, a}, {high, a + 1, b + 1}};
+    const int triangles[4][3] = {
+        {a, b, b + 1}, {a, b + 1, a + 1}, {low, b, a}, {high, a + 1, b + 1}};
     memcpy(m.triangles[4 * i], triangles, sizeof triangles);
   }
   return m;
 }
 
-/* A box has 3 normals at each of its 8 corners, and one at the center of its top and of its bottom; at right angles
- * nothing is smoothed, so every normal is that of its face. */
+/* A box has 3 normals at each of its 8 corners, and one at the center of its top and of its bottom;
+ * at right angles nothing is smoothed, so every normal is that of its face. */
 static void sharp_edges_are_split(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
   lam_trimesh box = prism(arena, 4);
-  lam_shaded_mesh shaded = lam_shaded_mesh_make(arena, &box, M_PI / 6);
+  lam_shaded_mesh shaded = lam_shaded_mesh_make(arena, &box, LAM_PI / 6);
   assert_int_equal(shaded.vertex_count, 3 * 8 + 2);
   assert_int_equal(shaded.triangle_count, box.triangle_count);
   for (int t = 0; t < shaded.triangle_count; t++) {
     const int *c = box.triangles[t];
-    lam_vec3 normal = lam_unit(
-        lam_cross(lam_sub(box.vertices[c[1]], box.vertices[c[0]]), lam_sub(box.vertices[c[2]], box.vertices[c[0]])));
+    lam_vec3 normal = lam_unit(lam_cross(lam_sub(box.vertices[c[1]], box.vertices[c[0]]),
+                                         lam_sub(box.vertices[c[2]], box.vertices[c[0]])));
     for (int k = 0; k < 3; k++) {
       assert_int_equal(shaded.source[shaded.triangles[t][k]], c[k]);
       assert_true(lam_distance(shaded.normals[shaded.triangles[t][k]], normal) < 1e-12);
@@ -51,14 +54,14 @@ static void sharp_edges_are_split(void **state) {
   lam_arena_free(arena);
 }
 
-/* With 36 sides of 10 deg the wall is smooth: its normals point away from the axis, and each rim vertex has two
- * normals, one for the wall and one for the cap. Weighting by corner angles makes the two triangles of each quad count
- * as one, so the normals are radial up to rounding. */
+/* With 36 sides of 10 deg the wall is smooth: its normals point away from the axis, and each rim
+ * vertex has two normals, one for the wall and one for the cap. Weighting by corner angles makes
+ * the two triangles of each quad count as one, so the normals are radial up to rounding. */
 static void gentle_edges_are_smooth(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
   lam_trimesh drum = prism(arena, 36);
-  lam_shaded_mesh shaded = lam_shaded_mesh_make(arena, &drum, M_PI / 6);
+  lam_shaded_mesh shaded = lam_shaded_mesh_make(arena, &drum, LAM_PI / 6);
   assert_int_equal(shaded.vertex_count, 2 * 72 + 2);
   for (int i = 0; i < shaded.vertex_count; i++) {
     lam_vec3 x = drum.vertices[shaded.source[i]], n = shaded.normals[i];
@@ -74,7 +77,7 @@ static void triangles_without_area_are_dropped(void **state) {
   lam_vec3 points[3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   int triangle[1][3] = {{0, 1, 2}};
   lam_trimesh flat = {3, points, 1, triangle};
-  lam_shaded_mesh shaded = lam_shaded_mesh_make(arena, &flat, M_PI / 6);
+  lam_shaded_mesh shaded = lam_shaded_mesh_make(arena, &flat, LAM_PI / 6);
   assert_int_equal(shaded.vertex_count, 0);
   assert_int_equal(shaded.triangle_count, 0);
   lam_arena_free(arena);
@@ -82,16 +85,18 @@ static void triangles_without_area_are_dropped(void **state) {
 
 /* ---- the writer ---- */
 
-static const lam_material tin = {.name = "tin", .color = {.5, .5, .5}, .metallic = 1, .roughness = .4};
+static const lam_material tin = {
+    .name = "tin", .color = {.5, .5, .5}, .metallic = 1, .roughness = .4};
 
 typedef struct fixture {
   lam_part parts[2];
-  lam_frame frames[3];
+  lam_pose frames[3];
   lam_model model;
 } fixture;
 
 static void fill(lam_arena *arena, fixture *f) {
-  for (int i = 0; i < 3; i++) f->frames[i] = (lam_frame){{i, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int i = 0; i < 3; i++)
+    f->frames[i] = (lam_pose){{i, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   f->parts[0] = (lam_part){.name = "B07a",
                            .kind = "lamella",
                            .family = 1,
@@ -117,7 +122,8 @@ static uint32_t word(const lam_text *text, size_t at) {
   return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
 }
 
-/* The container as in the glTF 2.0 specification, chapter 4: magic, version, length, and chunks on 4-byte boundaries.
+/* The container as in the glTF 2.0 specification, chapter 4: magic, version, length, and chunks on
+ * 4-byte boundaries.
  */
 static void the_container_is_sound(void **state) {
   (void)state;
@@ -135,8 +141,9 @@ static void the_container_is_sound(void **state) {
   assert_int_equal(binary % 4, 0);
   assert_int_equal(20 + json + 8 + binary, out.length);
   char *text = lam_arena_printf(arena, "%.*s", (int)json, out.data + 20);
-  assert_non_null(strstr(text, "\"extras\":{\"congruence\":4,\"family\":\"B\",\"kind\":\"lamella\",\"length\":2.5,"
-                               "\"mass\":1.25,\"material\":\"tin\",\"number\":7}"));
+  assert_non_null(strstr(
+      text, "\"extras\":{\"congruence\":4,\"family\":\"B\",\"kind\":\"lamella\",\"length\":2.5,"
+            "\"mass\":1.25,\"material\":\"tin\",\"number\":7}"));
   assert_non_null(strstr(text, "\"name\":\"pin 3\""));
   lam_arena_free(arena);
 }

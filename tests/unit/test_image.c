@@ -65,13 +65,15 @@ static void the_same_pixels_give_the_same_bytes(void **state) {
   size_t count[2];
   for (int i = 0; i < 2; i++) {
     assert_int_equal(lam_image_write(f->path, &image, &f->errors), LAM_OK);
-    assert_int_equal(lam_file_read(f->arena, f->path, 1 << 20, &f->errors, &bytes[i], &count[i]), LAM_OK);
+    assert_int_equal(lam_file_read(f->arena, f->path, 1 << 20, &f->errors, &bytes[i], &count[i]),
+                     LAM_OK);
   }
   assert_int_equal(count[0], count[1]);
   assert_memory_equal(bytes[0], bytes[1], count[0]);
 }
 
-/* FNV-1a of 01 00 00 00 01 00 00 00 00 00 00 (a black pixel), computed with a separate program of three lines. */
+/* FNV-1a of 01 00 00 00 01 00 00 00 00 00 00 (a black pixel), computed with a separate program of
+ * three lines. */
 static void the_hash_is_the_documented_one(void **state) {
   fixture *f = *state;
   lam_image black = lam_image_new(f->arena, 1, 1), wide = lam_image_new(f->arena, 2, 1);
@@ -80,8 +82,8 @@ static void the_hash_is_the_documented_one(void **state) {
   assert_true(lam_image_hash(&wide) != lam_image_hash(&tall)); /* the shape counts */
 }
 
-/* Of 200 pixels one differs by 10 in one channel and one by 4 in one, which is allowed: share 1/200, mean squared
- * difference (100 + 16) / 600. */
+/* Of 200 pixels one differs by 10 in one channel and one by 4 in one, which is allowed: share
+ * 1/200, mean squared difference (100 + 16) / 600. */
 static void differences_are_measured(void **state) {
   fixture *f = *state;
   lam_image a = gradient(f->arena), b = gradient(f->arena), mask = lam_image_new(f->arena, 20, 10);
@@ -111,7 +113,8 @@ static void bad_pictures_are_refused(void **state) {
   char *bytes;
   size_t count;
   assert_int_equal(lam_file_read(f->arena, f->path, 1 << 20, &f->errors, &bytes, &count), LAM_OK);
-  assert_int_equal(lam_file_write_atomic(f->path, bytes, count / 2, &f->errors), LAM_OK); /* cut off */
+  assert_int_equal(lam_file_write_atomic(f->path, bytes, count / 2, &f->errors),
+                   LAM_OK); /* cut off */
   assert_int_equal(lam_image_read(f->arena, f->path, &f->errors, &image), LAM_BAD_INPUT);
 }
 

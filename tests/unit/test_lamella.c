@@ -1,19 +1,22 @@
 /* Lamellas on plane nets, where everything has a closed form. */
-#include "core/mesh.h"
-#include "core/solid.h"
+#include "core/numbers.h"
+#include "core/solid/solid.h"
+#include "core/solid/triangles.h"
 #include "fab_fixture.h"
 
-static const double pi = 3.14159265358979323846;
 static const double H = 0.1, T = 0.002, C = 0.00025; /* fixture_keys */
 
 static void assert_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance)) fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
+  if (!(fabs(value - expected) <= tolerance))
+    fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
 }
 
 /* 4 x 5 vertices, 1 m apart: five lines of family 0 along x, four of family 1 along y. */
 static lam_vec3 plane_point(double u, double v) { return lam_v3(1.5 * u, 2 * v, 0); }
 /* The same, sheared so that the families cross at 60 degrees; still 1 m apart along the lines. */
-static lam_vec3 skew_point(double u, double v) { return lam_v3(1.5 * u + v, 2 * v * sin(pi / 3), 0); }
+static lam_vec3 skew_point(double u, double v) {
+  return lam_v3(1.5 * u + v, 2 * v * sin(LAM_PI / 3), 0);
+}
 
 static lam_workshop plane_shop(void **state, lam_vec3 (*f)(double, double)) {
   lam_mesh mesh = fixture_grid(fixture_arena(state), 4, 5, f);
@@ -41,7 +44,8 @@ static void plane_grid_is_exact(void **state) {
     bool first = i < 5;
     double length = first ? 3.2 : 4.2, slots = first ? 4 : 5;
     assert_near(part->length, length, 1e-14);
-    assert_near(lam_trimesh_volume(&part->solid), T * (length * H - slots * (T + 2 * C) * (H / 2 + C)), 1e-15);
+    assert_near(lam_trimesh_volume(&part->solid),
+                T * (length * H - slots * (T + 2 * C) * (H / 2 + C)), 1e-15);
     assert_near(part->mass, 7850 * lam_trimesh_volume(&part->solid), 1e-12);
     assert_sound(&part->solid);
     assert_int_equal(part->family, first ? 0 : 1);
@@ -52,7 +56,8 @@ static void plane_grid_is_exact(void **state) {
   assert_string_equal(shop.parts[8].name, "B04");
 }
 
-/* The bounds of a part of family 0 at y = -2, and slots that open up: the highest point inside a slot is its floor. */
+/* The bounds of a part of family 0 at y = -2, and slots that open up: the highest point inside a
+ * slot is its floor. */
 static void slots_open_to_their_side(void **state) {
   lam_workshop shop = plane_shop(state, plane_point);
   lam_lamella_keys keys = fixture_keys();
@@ -66,14 +71,17 @@ static void slots_open_to_their_side(void **state) {
     assert_near(i ? max.x - min.x : max.y - min.y, T, 1e-15);
     double floor = i ? C : -C;
     int at_floor = 0;
-    for (int v = 0; v < solid->vertex_count; v++) at_floor += fabs(solid->vertices[v].z - floor) < 1e-12;
+    for (int v = 0; v < solid->vertex_count; v++)
+      at_floor += fabs(solid->vertices[v].z - floor) < 1e-12;
     assert_int_equal(at_floor, solid->vertex_count / 3);
-    /* a ray upwards in the middle of the first slot meets the floor (family 0), or begins at it (family 1) */
+    /* a ray upwards in the middle of the first slot meets the floor (family 0), or begins at it
+     * (family 1) */
     double above = 0;
     for (int t = 0; t < solid->triangle_count; t++) {
       const int *c = solid->triangles[t];
-      lam_vec3 middle =
-          lam_scale(lam_add(lam_add(solid->vertices[c[0]], solid->vertices[c[1]]), solid->vertices[c[2]]), 1.0 / 3);
+      lam_vec3 middle = lam_scale(
+          lam_add(lam_add(solid->vertices[c[0]], solid->vertices[c[1]]), solid->vertices[c[2]]),
+          1.0 / 3);
       lam_vec3 area = lam_scale(lam_cross(lam_sub(solid->vertices[c[1]], solid->vertices[c[0]]),
                                           lam_sub(solid->vertices[c[2]], solid->vertices[c[0]])),
                                 0.5);
@@ -109,7 +117,7 @@ static void stations_and_records(void **state) {
   assert_near(record->values[2 * 14 + 11], 90, 1e-12);
   assert_int_equal(shop.crossing_count, 20);
   for (int i = 0; i < 20; i++) {
-    assert_near(shop.crossings[i].angle, pi / 2, 1e-14);
+    assert_near(shop.crossings[i].angle, LAM_PI / 2, 1e-14);
     assert_near(shop.crossings[i].along[0], 0.1 + i % 4, 1e-14);
     assert_near(shop.crossings[i].along[1], 0.1 + i / 4, 1e-14);
     assert_int_equal(shop.crossings[i].parts[0], i / 4);
@@ -117,8 +125,9 @@ static void stations_and_records(void **state) {
   }
 }
 
-/* With slots nothing overlaps. Without, every crossing overlaps in t x t x H, and no three parts meet: the fused grid
- * has the Euler characteristic 9 - 20 of its handlebody, so the genus (4-1)(5-1) = 12. */
+/* With slots nothing overlaps. Without, every crossing overlaps in t x t x H, and no three parts
+ * meet: the fused grid has the Euler characteristic 9 - 20 of its handlebody, so the genus
+ * (4-1)(5-1) = 12. */
 static void clash_of_the_plane_grid(void **state) {
   for (int joint = 0; joint < 2; joint++) {
     lam_workshop shop = plane_shop(state, plane_point);
@@ -130,7 +139,8 @@ static void clash_of_the_plane_grid(void **state) {
     assert_near(fixture_measure(&shop, "clash", "pairs_checked")->max, 20, 0);
     assert_near(fixture_measure(&shop, "clash", "clash_count")->max, joint ? 20 : 0, 0);
     assert_near(fixture_measure(&shop, "clash", "clash_volume")->max, joint ? T * T * H : 0, 1e-18);
-    assert_near(fixture_measure(&shop, "clash", "clash_volume_sum")->max, joint ? 20 * T * T * H : 0, 1e-17);
+    assert_near(fixture_measure(&shop, "clash", "clash_volume_sum")->max,
+                joint ? 20 * T * T * H : 0, 1e-17);
     assert_int_equal(shop.stages[shop.stage_count - 1].converged, !joint);
     if (joint) assert_near(1 - (9 - fixture_measure(&shop, "clash", "clash_count")->max), 3 * 4, 0);
   }
@@ -139,13 +149,13 @@ static void clash_of_the_plane_grid(void **state) {
 /* 2 mm at 60 degrees: 2 (1 + 1/2) / (sqrt(3)/2) + 0.5 = 3.964 mm. */
 static void slot_width(void **state) {
   (void)state;
-  assert_near(lam_slot_width(T, C, pi / 3), 0.002 * 1.5 / 0.86602540378443865 + 0.0005, 1e-17);
-  assert_near(lam_slot_width(T, C, pi / 2), T + 2 * C, 1e-17);
-  assert_near(lam_slot_width(T, C, 2 * pi / 3), lam_slot_width(T, C, pi / 3), 1e-17);
+  assert_near(lam_slot_width(T, C, LAM_PI / 3), 0.002 * 1.5 / 0.86602540378443865 + 0.0005, 1e-17);
+  assert_near(lam_slot_width(T, C, LAM_PI / 2), T + 2 * C, 1e-17);
+  assert_near(lam_slot_width(T, C, 2 * LAM_PI / 3), lam_slot_width(T, C, LAM_PI / 3), 1e-17);
 }
 
-/* Where the line at distance d to the left of the x axis meets the line at distance e to the left of the direction
- * theta: by solving the two line equations, sampled over all angles on the way. */
+/* Where the line at distance d to the left of the x axis meets the line at distance e to the left
+ * of the direction theta: by solving the two line equations, sampled over all angles on the way. */
 static double meet(double d, double e, double theta) {
   /* y = d;  -sin(theta) x + cos(theta) y = e */
   return (cos(theta) * d - e) / sin(theta);
@@ -157,8 +167,9 @@ static void scissor_sweep(void **state) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++)
       for (int a = 0; a < 6; a++) {
-        double d = offsets[i], e = offsets[k], angle = angles[a] * pi / 180, scissor = pi / 3;
-        double from = fmin(angle, scissor), to = fmax(angle, pi - scissor), low = 0, high = 0;
+        double d = offsets[i], e = offsets[k], angle = angles[a] * LAM_PI / 180,
+               scissor = LAM_PI / 3;
+        double from = fmin(angle, scissor), to = fmax(angle, LAM_PI - scissor), low = 0, high = 0;
         for (int s = 0; s <= 1000; s++) {
           double x = meet(d, e, from + (to - from) * s / 1000) - meet(d, e, angle);
           low = fmin(low, x), high = fmax(high, x);
@@ -166,15 +177,15 @@ static void scissor_sweep(void **state) {
         lam_slot_range r = lam_slot_sweep(d, e, angle, scissor);
         assert_near(r.low, low, 1e-15);
         assert_near(r.high, high, 1e-15);
-        assert_near(r.smallest, fmin(from, pi - to), 1e-15);
+        assert_near(r.smallest, fmin(from, LAM_PI - to), 1e-15);
         r = lam_slot_sweep(d, e, angle, 0);
         assert_near(r.high - r.low, 0, 0);
-        assert_near(r.smallest, fmin(angle, pi - angle), 1e-15);
+        assert_near(r.smallest, fmin(angle, LAM_PI - angle), 1e-15);
       }
 }
 
-/* Both sheets of a crossing have a station at the same point with the same m, at the same angle; sheets keep their
- * distance. */
+/* Both sheets of a crossing have a station at the same point with the same m, at the same angle;
+ * sheets keep their distance. */
 static void pairs_share_their_crossings(void **state) {
   lam_vec3 (*nets[])(double, double) = {plane_point, skew_point};
   for (int k = 0; k < 2; k++) {
@@ -197,12 +208,13 @@ static void pairs_share_their_crossings(void **state) {
           if (r->partner != i) continue;
           assert_near(lam_distance(q->x, r->x), 0, 0);
           assert_near(lam_distance(q->m, r->m), 0, 0);
-          assert_near(lam_angle(q->t, r->t), k ? pi / 3 : pi / 2, 1e-12);
+          assert_near(lam_angle(q->t, r->t), k ? LAM_PI / 3 : LAM_PI / 2, 1e-12);
           found++;
         }
         assert_int_equal(found, 1);
         crossings++;
-        lam_vec3 line = shop.net->mesh.vertices[grid->nodes[q->crossing].vertex], b = lam_cross(q->m, q->t);
+        lam_vec3 line = shop.net->mesh.vertices[grid->nodes[q->crossing].vertex],
+                 b = lam_cross(q->m, q->t);
         assert_near(lam_dot(lam_sub(q->x, line), b), grid->strips[i].offset, 1e-14);
       }
     assert_int_equal(crossings, 2 * 4 * 20);
@@ -211,23 +223,25 @@ static void pairs_share_their_crossings(void **state) {
   }
 }
 
-static lam_frame turned(const lam_grid_node *node, double angle) {
+static lam_pose turned(const lam_grid_node *node, double angle) {
   double c = cos(angle), s = sin(angle);
-  lam_frame f = {.axis = {{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
+  lam_pose f = {.axis = {{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
   lam_vec3 moved = lam_v3(c * node->x.x - s * node->x.y, s * node->x.x + c * node->x.y, 0);
   f.origin = lam_sub(node->x, moved);
   return f;
 }
 
 /* The two sheets through one node against the two that are turned about it. */
-static double overlap_when_turned(const lam_workshop *shop, const lam_grid_node *node, double angle) {
+static double overlap_when_turned(const lam_workshop *shop, const lam_grid_node *node,
+                                  double angle) {
   lam_solid_set *set = lam_solid_set_new();
-  lam_frame frame = turned(node, angle);
+  lam_pose frame = turned(node, angle);
   double sum = 0;
   for (int f = 0; f < 2; f++)
     for (int k = 0; k < 2; k++)
-      assert_int_equal(lam_solid_set_add(set, &shop->parts[2 * node->lamella[f] + k].solid, f ? &frame : NULL),
-                       2 * f + k);
+      assert_int_equal(
+          lam_solid_set_add(set, &shop->parts[2 * node->lamella[f] + k].solid, f ? &frame : NULL),
+          2 * f + k);
   for (int i = 0; i < 2; i++)
     for (int k = 2; k < 4; k++) {
       double volume = 0;
@@ -238,22 +252,23 @@ static double overlap_when_turned(const lam_workshop *shop, const lam_grid_node 
   return sum;
 }
 
-/* Slots for 60 degrees let the node turn from 90 to 60 and to 120 degrees, and not to 55 and 125. Their length is the
- * way of the partner d (tan 60 - tan 30) and the width at 60 degrees. */
+/* Slots for 60 degrees let the node turn from 90 to 60 and to 120 degrees, and not to 55 and 125.
+ * Their length is the way of the partner d (tan 60 - tan 30) and the width at 60 degrees. */
 static void scissoring_pairs(void **state) {
   lam_workshop shop = plane_shop(state, plane_point);
   lam_lamella_keys keys = fixture_keys();
   keys.pair = 0.025;
-  keys.joint.scissor = pi / 3;
+  keys.joint.scissor = LAM_PI / 3;
   fixture_make(&shop, "lamella", &keys);
-  double length = 0.0125 * (tan(pi / 3) - tan(pi / 6)) + lam_slot_width(T, C, pi / 3);
+  double length = 0.0125 * (tan(LAM_PI / 3) - tan(LAM_PI / 6)) + lam_slot_width(T, C, LAM_PI / 3);
   /* sheets reach 12.5 mm further on both sides, to their own crossings */
-  assert_near(lam_trimesh_volume(&shop.parts[0].solid), T * (3.225 * H - 8 * length * (H / 2 + C)), 1e-15);
+  assert_near(lam_trimesh_volume(&shop.parts[0].solid), T * (3.225 * H - 8 * length * (H / 2 + C)),
+              1e-15);
   const lam_grid_node *node = &shop.lamella_grid->nodes[9];
   for (int degrees = -30; degrees <= 30; degrees += 10)
-    assert_near(overlap_when_turned(&shop, node, degrees * pi / 180), 0, 0);
-  assert_true(overlap_when_turned(&shop, node, 35 * pi / 180) > 1e-9);
-  assert_true(overlap_when_turned(&shop, node, -35 * pi / 180) > 1e-9);
+    assert_near(overlap_when_turned(&shop, node, degrees * LAM_PI / 180), 0, 0);
+  assert_true(overlap_when_turned(&shop, node, 35 * LAM_PI / 180) > 1e-9);
+  assert_true(overlap_when_turned(&shop, node, -35 * LAM_PI / 180) > 1e-9);
 }
 
 /* Without `scissor` a pair locks its angle. */
@@ -263,11 +278,12 @@ static void pairs_without_scissor_lock(void **state) {
   keys.pair = 0.025;
   fixture_make(&shop, "lamella", &keys);
   assert_near(overlap_when_turned(&shop, &shop.lamella_grid->nodes[9], 0), 0, 0);
-  assert_true(overlap_when_turned(&shop, &shop.lamella_grid->nodes[9], 5 * pi / 180) > 1e-9);
+  assert_true(overlap_when_turned(&shop, &shop.lamella_grid->nodes[9], 5 * LAM_PI / 180) > 1e-9);
 }
 
-/* Every k-th polyline, and none on the boundary: of 5 lines those at y = -2, 0, 2, of 4 lines x = -1.5, 0.5 (nothing
- * divides 3 evenly, so the selection starts at the first). Lamellas end where the last one crosses. */
+/* Every k-th polyline, and none on the boundary: of 5 lines those at y = -2, 0, 2, of 4 lines x =
+ * -1.5, 0.5 (nothing divides 3 evenly, so the selection starts at the first). Lamellas end where
+ * the last one crosses. */
 static void every_and_boundary(void **state) {
   lam_workshop shop = plane_shop(state, plane_point);
   lam_lamella_keys keys = fixture_keys();
@@ -303,7 +319,7 @@ static void assert_message(void **state, lam_lamella_keys keys, const char *text
   fixture_make(&shop, "lamella", &keys);
   assert_int_equal(shop.part_count, 0);
   assert_true(shop.errors->count == 1);
-  assert_int_equal(shop.errors->first->place.line, 1);
+  assert_int_equal(shop.errors->first->location.line, 1);
   if (!strstr(shop.errors->first->text, text)) fail_msg("%s", shop.errors->first->text);
 }
 
@@ -311,13 +327,17 @@ static void wrong_keys_are_named(void **state) {
   static int twice[2] = {1, 1};
   lam_lamella_keys keys = fixture_keys();
   keys.pair = 0.002;
-  assert_message(state, keys, "2 mm is less than the thickness and twice the clearance: expected 0 or at least 2.5 mm");
+  assert_message(
+      state, keys,
+      "2 mm is less than the thickness and twice the clearance: expected 0 or at least 2.5 mm");
   keys = fixture_keys();
   keys.families.items = twice;
   assert_message(state, keys, "expected [0], [1] or [0, 1]");
   keys = fixture_keys();
   keys.extend = 0.003;
-  assert_message(state, keys, "A01 would keep 1.75 mm of material beside a slot, from 0.0 mm after its start on");
+  assert_message(
+      state, keys,
+      "A01 would keep 1.75 mm of material beside a slot, from 0.0 mm after its start on");
   keys = fixture_keys();
   keys.pair = 0.004; /* crossings 4 mm apart, slots 2.5 mm wide: 1.5 mm are left */
   assert_message(state, keys, "A01a would keep 1.50 mm of material beside a slot");

@@ -1,12 +1,12 @@
 /* Lamellas on curved, closed and irregular nets: soundness of the solids, clashes, strains. */
-#include "core/mesh.h"
-#include "core/solid.h"
+#include "core/numbers.h"
+#include "core/solid/solid.h"
+#include "core/solid/triangles.h"
 #include "fab_fixture.h"
 
-static const double pi = 3.14159265358979323846;
-
 static void assert_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance)) fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
+  if (!(fabs(value - expected) <= tolerance))
+    fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
 }
 
 static double measured(const lam_workshop *shop, const char *stage, const char *name) {
@@ -27,7 +27,8 @@ static lam_workshop assert_buildable(void **state, const lam_mesh *mesh, lam_lam
   return shop;
 }
 
-/* Without slots every crossing of sheets overlaps, in at least t^2 H, the volume at a right angle (less 2 % for twist).
+/* Without slots every crossing of sheets overlaps, in at least t^2 H, the volume at a right angle
+ * (less 2 % for twist).
  */
 static void assert_clash_without_slots(void **state, const lam_mesh *mesh, lam_lamella_keys keys) {
   lam_workshop shop = fixture_workshop(fixture_arena(state), mesh);
@@ -43,20 +44,22 @@ static void assert_clash_without_slots(void **state, const lam_mesh *mesh, lam_l
 /* z = x y / 2 over 4 m x 4 m: K = -1/4 at the middle. */
 static lam_vec3 hypar(double u, double v) { return lam_v3(2 * u, 2 * v, 2 * u * v); }
 
-/* The straight lines of the surface carry the lamellas, so they do not bend. The normal turns about the line y = 0 by
- * atan(x/2): fastest at the middle. */
+/* The straight lines of the surface carry the lamellas, so they do not bend. The normal turns about
+ * the line y = 0 by atan(x/2): fastest at the middle. */
 static void hyperbolic_paraboloid(void **state) {
   lam_mesh mesh = fixture_grid(fixture_arena(state), 9, 9, hypar);
   lam_workshop shop = assert_buildable(state, &mesh, fixture_keys());
   assert_near(measured(&shop, "lamellas", "bending_strain"), 0, 1e-15);
   assert_near(measured(&shop, "lamellas", "sheet_straightness"), 0, 1e-12);
-  /* between the nodes at 0 and 0.5 m the normal turns by atan(1/4): the rate is atan(1/4) / (1/2) */
+  /* between the nodes at 0 and 0.5 m the normal turns by atan(1/4): the rate is atan(1/4) / (1/2)
+   */
   assert_near(measured(&shop, "lamellas", "twist"), atan(0.25) / 0.5, 1e-12);
   assert_near(measured(&shop, "lamellas", "twist_strain"), 0.002 * atan(0.25) / 0.5, 1e-14);
-  assert_near(measured(&shop, "lamellas", "edge_strain"), 0.05 * 0.05 * pow(atan(0.25) / 0.5, 2) / 2, 1e-14);
+  assert_near(measured(&shop, "lamellas", "edge_strain"),
+              0.05 * 0.05 * pow(atan(0.25) / 0.5, 2) / 2, 1e-14);
   lam_lamella_keys keys = fixture_keys();
   keys.pair = 0.025;
-  keys.joint.scissor = pi / 3;
+  keys.joint.scissor = LAM_PI / 3;
   assert_buildable(state, &mesh, keys);
   keys.joint.scissor = 0;
   keys.every = 2;
@@ -83,14 +86,15 @@ static void asymptotic_nets_are_buildable(void **state) {
   }
 }
 
-/* Paired, on Enneper's surface: crossings of the net at 90 degrees (the optimizer's tolerance), lamellas straight to
- * twice 5e-5 on this coarse net; the sheets, 12.5 mm off the asymptotic lines, less so, within the elastic limit. */
+/* Paired, on Enneper's surface: crossings of the net at 90 degrees (the optimizer's tolerance),
+ * lamellas straight to twice 5e-5 on this coarse net; the sheets, 12.5 mm off the asymptotic lines,
+ * less so, within the elastic limit. */
 static void paired_enneper(void **state) {
   lam_mesh mesh = fixture_obj(fixture_arena(state), asymptotic[0], 0.4);
   lam_lamella_keys keys = fixture_keys();
   keys.pair = 0.025;
   keys.thickness = 0.0015;
-  keys.joint.scissor = pi / 3;
+  keys.joint.scissor = LAM_PI / 3;
   lam_workshop shop = assert_buildable(state, &mesh, keys);
   assert_int_equal(shop.part_count, 68);
   assert_near(fixture_measure(&shop, "lamellas", "crossing_angle")->mean, 90, 1e-9);
@@ -101,8 +105,9 @@ static void paired_enneper(void **state) {
   assert_true(measured(&shop, "lamellas", "bending_strain") < 0.0011);
 }
 
-/* The net maps to itself under half turns, which reverse lamellas and swap first and last: 17 lamellas of a family are
- * 9 different parts (A01 = A17, ..., A09), each the same forwards and backwards. */
+/* The net maps to itself under half turns, which reverse lamellas and swap first and last: 17
+ * lamellas of a family are 9 different parts (A01 = A17, ..., A09), each the same forwards and
+ * backwards. */
 static void congruent_parts(void **state) {
   lam_mesh mesh = fixture_obj(fixture_arena(state), asymptotic[0], 0.4);
   lam_workshop shop = fixture_workshop(fixture_arena(state), &mesh);
@@ -114,13 +119,14 @@ static void congruent_parts(void **state) {
   }
 }
 
-/* A plane net of circles and rays: 24 rays, circles of radius 2, 3 and 4. A ring is cut midway between two nodes; its
- * ends leave the clearance between them. The polygon of n corners turns by 2 pi/n per side 2 R sin(pi/n). */
+/* A plane net of circles and rays: 24 rays, circles of radius 2, 3 and 4. A ring is cut midway
+ * between two nodes; its ends leave the clearance between them. The polygon of n corners turns by 2
+ * pi/n per side 2 R sin(pi/n). */
 static lam_mesh annulus(lam_arena *arena, bool cylinder) {
   lam_mesh mesh = lam_mesh_grid(arena, 24, 3, true, false);
   for (int i = 0; i < 24; i++)
     for (int j = 0; j < 3; j++) {
-      double a = 2 * pi * i / 24, r = cylinder ? 3 : 4 - j;
+      double a = 2 * LAM_PI * i / 24, r = cylinder ? 3 : 4 - j;
       mesh.vertices[i * 3 + j] = lam_v3(r * cos(a), r * sin(a), cylinder ? j : 0);
     }
   return mesh;
@@ -130,8 +136,8 @@ static void closed_rings(void **state) {
   lam_mesh mesh = annulus(fixture_arena(state), false);
   lam_workshop shop = assert_buildable(state, &mesh, fixture_keys());
   assert_int_equal(shop.part_count, 3 + 24);
-  assert_near(shop.parts[0].length, 24 * 2 * 4 * sin(pi / 24) - 0.00025, 1e-12);
-  double turn = 2 * pi / 24, side = 2 * 2 * sin(pi / 24);
+  assert_near(shop.parts[0].length, 24 * 2 * 4 * sin(LAM_PI / 24) - 0.00025, 1e-12);
+  double turn = 2 * LAM_PI / 24, side = 2 * 2 * sin(LAM_PI / 24);
   assert_near(measured(&shop, "lamellas", "bending_strain"), 0.001 * turn / side, 1e-12);
   const lam_sheet_strip *ring = &shop.lamella_grid->strips[0];
   assert_int_equal(ring->station_count, 26);
@@ -143,21 +149,25 @@ static void closed_rings(void **state) {
   assert_buildable(state, &mesh, keys);
 }
 
-/* `sectors` sectors of size x size rhombi around a vertex, on a monkey saddle when there are six. With a hole, the
- * faces with both coordinates below `hole` are left out, as are vertices that no face uses. */
+/* `sectors` sectors of size x size rhombi around a vertex, on a monkey saddle when there are six.
+ * With a hole, the faces with both coordinates below `hole` are left out, as are vertices that no
+ * face uses. */
 static lam_mesh branched(lam_arena *arena, int sectors, int size, int hole) {
   enum { most = 13 };
-  lam_mesh mesh = {hole ? 0 : 1, LAM_NEW(arena, lam_vec3, 1 + sectors * size * (size + 1)), 0, NULL};
-  mesh.faces = (int(*)[4])lam_arena_alloc(arena, (size_t)(sectors * size * size), sizeof *mesh.faces);
+  lam_mesh mesh = {hole ? 0 : 1, LAM_NEW(arena, lam_vec3, 1 + sectors * size * (size + 1)), 0,
+                   NULL};
+  mesh.faces =
+      (int(*)[4])lam_arena_alloc(arena, (size_t)(sectors * size * size), sizeof *mesh.faces);
   int index[8][most][most]; /* a along the sector's first ray, b along its second */
   for (int s = 0; s < sectors; s++)
     for (int a = 1; a <= size; a++)
       for (int b = 0; b <= size; b++) {
         if (a < hole && b < hole) continue;
-        double t = 2 * pi * s / sectors, u = t + 2 * pi / sectors;
+        double t = 2 * LAM_PI * s / sectors, u = t + 2 * LAM_PI / sectors;
         double x = a * cos(t) + b * cos(u), y = a * sin(t) + b * sin(u), r = hypot(x, y);
         index[s][a][b] = mesh.vertex_count;
-        mesh.vertices[mesh.vertex_count++] = lam_v3(x, y, r * r * r * cos(3 * atan2(y, x)) / (20 * size * size));
+        mesh.vertices[mesh.vertex_count++] =
+            lam_v3(x, y, r * r * r * cos(3 * atan2(y, x)) / (20 * size * size));
       }
   for (int s = 0; s < sectors; s++)
     for (int b = 0; b <= size; b++) index[s][0][b] = b ? index[(s + 1) % sectors][b][0] : 0;
@@ -165,14 +175,15 @@ static lam_mesh branched(lam_arena *arena, int sectors, int size, int hole) {
     for (int a = 0; a < size; a++)
       for (int b = 0; b < size; b++) {
         if (a < hole && b < hole) continue;
-        int corner[4] = {index[s][a][b], index[s][a + 1][b], index[s][a + 1][b + 1], index[s][a][b + 1]};
+        int corner[4] = {index[s][a][b], index[s][a + 1][b], index[s][a + 1][b + 1],
+                         index[s][a][b + 1]};
         memcpy(mesh.faces[mesh.face_count++], corner, sizeof corner);
       }
   return mesh;
 }
 
-/* Selected polylines of `family` that a polyline of the other family crosses: every k-th vertex of it, beginning at the
- * first (every line of these nets begins and ends on a selected one). */
+/* Selected polylines of `family` that a polyline of the other family crosses: every k-th vertex of
+ * it, beginning at the first (every line of these nets begins and ends on a selected one). */
 static void assert_every_kth(void **state, const lam_mesh *mesh, int every) {
   lam_workshop shop = fixture_workshop(fixture_arena(state), mesh);
   const lam_net *net = shop.net;
@@ -180,7 +191,8 @@ static void assert_every_kth(void **state, const lam_mesh *mesh, int every) {
     bool *on = LAM_NEW(shop.arena, bool, net->mesh.vertex_count);
     const bool *selected = lam_lamella_select(shop.arena, net, family, every, true);
     for (int i = 0; i < net->polyline_count; i++)
-      for (int k = 0; selected[i] && k < net->polylines[i].count; k++) on[net->polylines[i].vertices[k]] = true;
+      for (int k = 0; selected[i] && k < net->polylines[i].count; k++)
+        on[net->polylines[i].vertices[k]] = true;
     for (int i = 0; i < net->polyline_count; i++)
       for (int k = 0; net->polylines[i].family != family && k < net->polylines[i].count; k++)
         assert_int_equal(on[net->polylines[i].vertices[k]], k % every == 0);
@@ -205,8 +217,8 @@ static void every_kth_polyline(void **state) {
   for (int i = 0; i < 8; i++) assert_int_equal(selected[i], i == 1 || i == 6);
 }
 
-/* Six lamellas end short of the irregular vertex; sheets of half width w at 60 degrees clear each other from w / tan 30
- * on. */
+/* Six lamellas end short of the irregular vertex; sheets of half width w at 60 degrees clear each
+ * other from w / tan 30 on. */
 static void irregular_vertex(void **state) {
   lam_mesh mesh = branched(fixture_arena(state), 6, 3, 0);
   lam_lamella_keys keys = fixture_keys();
@@ -218,8 +230,9 @@ static void irregular_vertex(void **state) {
       for (int k = 0; k < shop.lamella_grid->strips[i].station_count; k++)
         nearest = fmin(nearest, lam_length(shop.lamella_grid->strips[i].stations[k].x));
     double w = keys.pair / 2 + keys.thickness / 2 + keys.joint.clearance;
-    assert_near(nearest, hypot(w / tan(pi / 6) + keys.joint.clearance, keys.pair / 2), 2e-3);
-    for (int i = 0; i < shop.crossing_count; i++) assert_true(lam_length(shop.crossings[i].position) > 0.5);
+    assert_near(nearest, hypot(w / tan(LAM_PI / 6) + keys.joint.clearance, keys.pair / 2), 2e-3);
+    for (int i = 0; i < shop.crossing_count; i++)
+      assert_true(lam_length(shop.crossings[i].position) > 0.5);
   }
 }
 
@@ -232,7 +245,8 @@ static void odd_vertices_are_refused(void **state) {
   assert_non_null(strstr(shop.errors->first->text, "do not fall into two families"));
 }
 
-/* A net over a dome (K > 0) can be built too; its lamellas do not unroll straight, and the measure says so. */
+/* A net over a dome (K > 0) can be built too; its lamellas do not unroll straight, and the measure
+ * says so. */
 static lam_vec3 dome(double u, double v) { return lam_v3(2 * u, 2 * v, 1 - 0.3 * (u * u + v * v)); }
 static void a_dome_is_not_straight(void **state) {
   lam_mesh mesh = fixture_grid(fixture_arena(state), 9, 9, dome);
@@ -251,8 +265,8 @@ typedef struct connector_keys {
   int material;
 } connector_keys;
 
-/* The washer is a plus of width s (across flats) and length 2 arm, less a hole; the polygons stay within 1 % of a
- * circle. */
+/* The washer is a plus of width s (across flats) and length 2 arm, less a hole; the polygons stay
+ * within 1 % of a circle. */
 static void connectors(void **state) {
   lam_mesh mesh = fixture_obj(fixture_arena(state), asymptotic[0], 0.6);
   lam_workshop shop = fixture_workshop(fixture_arena(state), &mesh);
@@ -272,18 +286,19 @@ static void connectors(void **state) {
   assert_true(facts.closed && facts.oriented && facts.manifold && facts.components == 1);
   assert_int_equal(facts.genus, 1);
   assert_int_equal(facts.self_intersections, 0);
-  double star = 2 * 0.013 * 0.056 - 0.013 * 0.013, hole = pi * 0.0045 * 0.0045;
+  double star = 2 * 0.013 * 0.056 - 0.013 * 0.013, hole = LAM_PI * 0.0045 * 0.0045;
   assert_near(facts.volume, 0.004 * (star - hole), 0.004 * 0.02 * hole);
   assert_int_equal(lam_solid_measure(&bolt->solid, true, &facts), LAM_OK);
   assert_true(facts.closed && facts.oriented && facts.manifold && facts.components == 1);
   assert_int_equal(facts.genus, 0);
   assert_int_equal(facts.self_intersections, 0);
   /* head 5.3 and nut 6.8 high over a hexagon of s = 13; the shank between and 2 mm beyond */
-  double hexagon = sqrt(3) / 2 * 0.013 * 0.013, shank = pi * 0.004 * 0.004 * (0.1 + 2 * 0.00505 + 0.002);
+  double hexagon = sqrt(3) / 2 * 0.013 * 0.013,
+         shank = LAM_PI * 0.004 * 0.004 * (0.1 + 2 * 0.00505 + 0.002);
   assert_near(facts.volume, hexagon * (0.0053 + 0.0068) + shank, 0.02 * shank);
   assert_near(bolt->mass, 7850 * facts.volume, 1e-12);
   for (int i = 0; i < washer->instance_count; i++) {
-    const lam_frame *f = &washer->instances[i];
+    const lam_pose *f = &washer->instances[i];
     for (int a = 0; a < 3; a++)
       for (int b = 0; b < 3; b++) assert_near(lam_dot(f->axis[a], f->axis[b]), a == b, 1e-12);
     assert_near(lam_dot(lam_cross(f->axis[0], f->axis[1]), f->axis[2]), 1, 1e-12);
@@ -300,11 +315,14 @@ static void connector_messages(void **state) {
     double pair;
     connector_keys keys;
     const char *text;
-  } cases[] = {
-      {0, fine, "node-connector needs paired lamellas of both families before it"},
-      {0.025, {3, 0.004, 0.001, 0.028, 0}, NULL},
-      {0.012, {3, 0.004, 0.001, 0.028, 0}, "M12 does not fit between sheets that leave 10.0 mm: at least 13.0 mm"},
-      {0.025, {0, 0.004, 0.001, 0.015, 0}, "15 mm does not reach over the crossings of the sheets"}};
+  } cases[] = {{0, fine, "node-connector needs paired lamellas of both families before it"},
+               {0.025, {3, 0.004, 0.001, 0.028, 0}, NULL},
+               {0.012,
+                {3, 0.004, 0.001, 0.028, 0},
+                "M12 does not fit between sheets that leave 10.0 mm: at least 13.0 mm"},
+               {0.025,
+                {0, 0.004, 0.001, 0.015, 0},
+                "15 mm does not reach over the crossings of the sheets"}};
   for (int i = 0; i < 4; i++) {
     lam_workshop shop = fixture_workshop(fixture_arena(state), &mesh);
     lam_lamella_keys keys = fixture_keys();
@@ -312,11 +330,13 @@ static void connector_messages(void **state) {
     fixture_make(&shop, "lamella", &keys);
     fixture_make(&shop, "node-connector", &cases[i].keys);
     assert_int_equal(shop.errors->count, cases[i].text != NULL);
-    if (cases[i].text && !strstr(shop.errors->first->text, cases[i].text)) fail_msg("%s", shop.errors->first->text);
+    if (cases[i].text && !strstr(shop.errors->first->text, cases[i].text))
+      fail_msg("%s", shop.errors->first->text);
   }
 }
 
-/* Makes lamellas and looks for clashes, with the n-th allocation failing. True when nothing failed. */
+/* Makes lamellas and looks for clashes, with the n-th allocation failing. True when nothing failed.
+ */
 static bool survives(int n) {
   lam_arena *arena = lam_arena_new();
   volatile bool done = false;
@@ -344,11 +364,12 @@ static void running_out_of_memory(void **state) {
 
 int main(void) {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, fixture_setup, fixture_teardown)
-  const struct CMUnitTest tests[] = {TEST(hyperbolic_paraboloid),  TEST(asymptotic_nets_are_buildable),
-                                     TEST(paired_enneper),         TEST(congruent_parts),
-                                     TEST(closed_rings),           TEST(every_kth_polyline),
-                                     TEST(irregular_vertex),       TEST(odd_vertices_are_refused),
-                                     TEST(a_dome_is_not_straight), TEST(connectors),
-                                     TEST(connector_messages),     TEST(running_out_of_memory)};
+  const struct CMUnitTest tests[] = {
+      TEST(hyperbolic_paraboloid),  TEST(asymptotic_nets_are_buildable),
+      TEST(paired_enneper),         TEST(congruent_parts),
+      TEST(closed_rings),           TEST(every_kth_polyline),
+      TEST(irregular_vertex),       TEST(odd_vertices_are_refused),
+      TEST(a_dome_is_not_straight), TEST(connectors),
+      TEST(connector_messages),     TEST(running_out_of_memory)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

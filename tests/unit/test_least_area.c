@@ -1,21 +1,22 @@
-/* Surfaces of least area: refinement, variations, minima within a class of surfaces and of all surfaces. Expected areas
- * of tests/cases/least-area were computed by another program (Gauss rules with 96 places per span, least areas
- * extrapolated from fine splines and checked with triangle meshes), of Enneper's, Schwarz' and the plane surface by
- * formulas. */
-#include "surf/least_area_parts.h"
-#include "surf/spline_surface.h"
+/* Surfaces of least area: refinement, variations, minima within a class of surfaces and of all
+ * surfaces. Expected areas of tests/cases/least-area were computed by another program (Gauss rules
+ * with 96 places per span, least areas extrapolated from fine splines and checked with triangle
+ * meshes), of Enneper's, Schwarz' and the plane surface by formulas. */
+#include "surf/area/area_parts.h"
+#include "surf/spline/spline_surface.h"
 #include "tests/unit/least_area_fixture.h"
 #include <string.h>
 
 static const char *const all[] = {"ex1",        "ex2",        "ex2s",       "ex3",          "ex4",
                                   "N5_enneper", "N6_annulus", "N7_schwarz", "N8_nonuniform"};
-static const char *const with_class[] = {"ex1", "ex2", "ex2s", "ex3", "ex4", "N7_schwarz", "N8_nonuniform"};
+static const char *const with_class[] = {"ex1", "ex2",        "ex2s",         "ex3",
+                                         "ex4", "N7_schwarz", "N8_nonuniform"};
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 
 static double spread(int k) { return fmod(0.5 + 0.6180339887498949 * k, 1); } /* even in [0,1) */
 
-static void assert_same_surface(area_fixture *f, const lam_spline_surface *a, const lam_spline_surface *b,
-                                const char *name) {
+static void assert_same_surface(area_fixture *f, const lam_spline_surface *a,
+                                const lam_spline_surface *b, const char *name) {
   const lam_nurbs *s = lam_nurbs_make(f->arena, a), *t = lam_nurbs_make(f->arena, b);
   double p[2], q[2];
   bool closed[2];
@@ -25,12 +26,14 @@ static void assert_same_surface(area_fixture *f, const lam_spline_surface *a, co
     double u = p[0] + (p[1] - p[0]) * spread(k), v = q[0] + (q[1] - q[0]) * spread(7 * k + 3);
     lam_nurbs_eval(s, u, v, &x);
     lam_nurbs_eval(t, u, v, &y);
-    if (!(lam_distance(x.x, y.x) <= 1e-13 * (1 + lam_length(x.x))) || !(lam_distance(x.u, y.u) <= 1e-11))
+    if (!(lam_distance(x.x, y.x) <= 1e-13 * (1 + lam_length(x.x))) ||
+        !(lam_distance(x.u, y.u) <= 1e-11))
       fail_msg("%s at (%.6f, %.6f): off by %.2e", name, u, v, lam_distance(x.x, y.x));
   }
 }
 
-/* Inserted knots, raised degrees and Bezier pieces change nothing of a rational surface with uneven knots. */
+/* Inserted knots, raised degrees and Bezier pieces change nothing of a rational surface with uneven
+ * knots. */
 static void test_refinement(void **state) {
   area_fixture *f = *state;
   lam_spline_surface s = area_boundary(f, "N8_nonuniform"), t;
@@ -42,15 +45,17 @@ static void test_refinement(void **state) {
   assert_int_equal(t.count[0], 6 + 2 * 3); /* three spans: each inner knot is repeated twice more */
   assert_same_surface(f, &s, &t, "elevate");
   t = lam_spline_surface_refine(f->arena, &s, 8);
-  assert_int_equal(t.count[0], 3 + 4 + 2 + 4); /* spans of 1, .5 and 1.5 of 3, halved to 3/8 at most */
+  assert_int_equal(t.count[0],
+                   3 + 4 + 2 + 4); /* spans of 1, .5 and 1.5 of 3, halved to 3/8 at most */
   assert_same_surface(f, &s, &t, "refine");
   t = lam_spline_surface_pieces(f->arena, &s);
   assert_int_equal(t.count[0], 3 * 3 + 1);
   assert_same_surface(f, &s, &t, "pieces");
 }
 
-/* The first variation against differences of the area, the second against differences of the first; with a volume
- * term. The sum over all pairs is what the Newton system multiplies with, so a step of the system is checked. */
+/* The first variation against differences of the area, the second against differences of the first;
+ * with a volume term. The sum over all pairs is what the Newton system multiplies with, so a step
+ * of the system is checked. */
 static void test_variations(void **state) {
   area_fixture *f = *state;
   lam_spline_surface s = area_boundary(f, "ex3");
@@ -72,19 +77,22 @@ static void test_variations(void **state) {
   low = lam_area_slope(form, moved);
   if (fabs((high - low) / (2 * h) - expected) > 1e-6)
     fail_msg("slope %.10g, differences %.10g", expected, (high - low) / (2 * h));
-  for (int k = 0; k < 4; k++) right[k] = lam_scale(lam_sub(up[k], form->gradient[k]), -1 / (2 * h)); /* -A'' step */
+  for (int k = 0; k < 4; k++)
+    right[k] = lam_scale(lam_sub(up[k], form->gradient[k]), -1 / (2 * h)); /* -A'' step */
   lam_area_system system = lam_area_system_make(f->arena, form, 3);
   lam_area_vary(form, points);
   double lambda = 100; /* positive definite whatever the area does */
   assert_true(lam_area_system_factor(&system, form, lambda));
   lam_area_system_step(f->arena, &system, right, back);
-  /* (A'' + lambda M) back = A'' step; with M from the one-component system the difference must vanish */
+  /* (A'' + lambda M) back = A'' step; with M from the one-component system the difference must
+   * vanish */
   for (int a = 0; a < 4; a++) {
     lam_vec3 rest = {0};
     for (int b = 0; b < 4; b++) {
       int low_point = a < b ? a : b, high_point = a < b ? b : a;
       int slot = (high_point / 2 - low_point / 2) * 7 + high_point % 2 - low_point % 2 + 3;
-      double m = form->blocks[((size_t)low_point * (size_t)form->window + (size_t)slot) * LAM_AREA_TERMS];
+      double m =
+          form->blocks[((size_t)low_point * (size_t)form->window + (size_t)slot) * LAM_AREA_TERMS];
       rest = lam_along(rest, lambda * m, back[b]);
     }
     /* A'' (step - back) = lambda M back, by differences along step - back */
@@ -99,8 +107,8 @@ static void test_variations(void **state) {
   for (int k = 0; k < 4; k++) {
     lam_vec3 by_difference = lam_scale(lam_sub(right[k], form->gradient[k]), 1 / (2 * h));
     if (lam_distance(by_difference, up[k]) > 1e-5 * (1 + lam_length(up[k])))
-      fail_msg("second variation, point %d: off by %.2e of %.2e", k, lam_distance(by_difference, up[k]),
-               lam_length(up[k]));
+      fail_msg("second variation, point %d: off by %.2e of %.2e", k,
+               lam_distance(by_difference, up[k]), lam_length(up[k]));
   }
 }
 
@@ -112,8 +120,8 @@ static void test_measures(void **state) {
     s = lam_least_area_dirichlet(f->arena, &s);
     double expected = area_expected(f, all[i], "dirichlet");
     assert_relative(lam_surface_area(f->arena, &s, 40), expected, 1e-7, all[i], "Dirichlet");
-    assert_relative(lam_surface_area_triangles(f->arena, &s, 16), lam_surface_area(f->arena, &s, 40), 2e-6, all[i],
-                    "triangles");
+    assert_relative(lam_surface_area_triangles(f->arena, &s, 16),
+                    lam_surface_area(f->arena, &s, 40), 2e-6, all[i], "triangles");
   }
 }
 
@@ -132,8 +140,8 @@ static void test_published(void **state) {
         for (size_t c = 0; c < 3; c++) (&points[at].x)[c] = json_number_value(json_array_get(p, c));
         weights[at] = json_number_value(json_array_get(p, 3));
       }
-    assert_relative(lam_surface_area(f->arena, &s, 64), area_expected(f, all[i], "published_area"), 1e-9, all[i],
-                    "published");
+    assert_relative(lam_surface_area(f->arena, &s, 64), area_expected(f, all[i], "published_area"),
+                    1e-9, all[i], "published");
   }
 }
 
@@ -147,18 +155,19 @@ static void test_class_minima(void **state) {
     lam_spline_surface s = area_boundary(f, name);
     lam_least_area_result r = lam_least_area_solve(f->arena, &s, 1, &options);
     assert_true(r.converged);
-    assert_relative(lam_surface_area(f->arena, &r.surface, 64), area_expected(f, name, "class_unit"), 1e-9, name,
-                    "unit weights");
+    assert_relative(lam_surface_area(f->arena, &r.surface, 64),
+                    area_expected(f, name, "class_unit"), 1e-9, name, "unit weights");
     r = lam_least_area_weights(f->arena, &r.surface, 0.01, 30, &options);
     assert_true(r.converged);
-    assert_relative(lam_surface_area(f->arena, &r.surface, 64), area_expected(f, name, "class_free"), 1e-9, name,
-                    "free weights");
+    assert_relative(lam_surface_area(f->arena, &r.surface, 64),
+                    area_expected(f, name, "class_free"), 1e-9, name, "free weights");
     const json_t *weights = json_object_get(area_case(f, name), "class_weights"), *w;
     size_t k;
     json_array_foreach(weights, k, w) {
       int inner = s.count[1] - 2, at = ((int)k / inner + 1) * s.count[1] + (int)k % inner + 1;
       if (fabs(r.surface.weights[at] - json_number_value(w)) > 2e-4)
-        fail_msg("%s: weight %zu is %.8f, expected %.8f", name, k, r.surface.weights[at], json_number_value(w));
+        fail_msg("%s: weight %zu is %.8f, expected %.8f", name, k, r.surface.weights[at],
+                 json_number_value(w));
     }
   }
 }
@@ -180,8 +189,8 @@ static void test_separable_weights(void **state) {
   }
 }
 
-/* 8 x 8 spans come within a millionth of the least area, 16 x 16 within 3e-8, measured with a finer rule on halved
- * spans; the mean curvature falls. */
+/* 8 x 8 spans come within a millionth of the least area, 16 x 16 within 3e-8, measured with a finer
+ * rule on halved spans; the mean curvature falls. */
 static void test_least_area(void **state) {
   area_fixture *f = *state;
   lam_least_area_options options = lam_least_area_defaults();
@@ -194,7 +203,8 @@ static void test_least_area(void **state) {
       assert_true(r.converged);
       assert_true(r.iterations <= 120);
       double area = lam_surface_area(f->arena, &r.surface, 9);
-      if (area < expected * (1 - 2e-8)) fail_msg("%s: %.10g is less than the least area %.10g", all[i], area, expected);
+      if (area < expected * (1 - 2e-8))
+        fail_msg("%s: %.10g is less than the least area %.10g", all[i], area, expected);
       assert_relative(area, expected, k ? 3e-8 : 1e-6, all[i], k ? "16 x 16 spans" : "8 x 8 spans");
       lam_surface_mean_curvature(f->arena, &r.surface, 0, 5, &largest[k], &rms[k], &places);
     }
@@ -212,15 +222,18 @@ static void test_degree(void **state) {
   s = lam_spline_surface_elevate(f->arena, &s, (int[2]){6, 6});
   lam_least_area_result r = lam_least_area_solve(f->arena, &s, 1, &options);
   double area = lam_surface_area(f->arena, &r.surface, 64);
-  assert_true(area < area_expected(f, "ex4", "class_unit") && area > area_expected(f, "ex4", "least"));
+  assert_true(area < area_expected(f, "ex4", "class_unit") &&
+              area > area_expected(f, "ex4", "least"));
 }
 
-/* Enneper's surface over a square of half side 1.2 is stationary, but larger than its stable part: a surface of less
- * area has the same boundary. Its bicubic net is (u - u^3/3 + u v^2, -v + v^3/3 - u^2 v, u^2 - v^2) in blossoms. */
+/* Enneper's surface over a square of half side 1.2 is stationary, but larger than its stable part:
+ * a surface of less area has the same boundary. Its bicubic net is (u - u^3/3 + u v^2, -v + v^3/3 -
+ * u^2 v, u^2 - v^2) in blossoms. */
 static void test_saddle(void **state) {
   area_fixture *f = *state;
-  static const double t[4] = {-1.2, -0.4, 0.4, 1.2}; /* Greville abscissae of a cubic over [-1.2, 1.2] */
-  double first[4], second[4], third[4];              /* polar forms of t, t^2, t^3 at control point i */
+  static const double t[4] = {-1.2, -0.4, 0.4,
+                              1.2};     /* Greville abscissae of a cubic over [-1.2, 1.2] */
+  double first[4], second[4], third[4]; /* polar forms of t, t^2, t^3 at control point i */
   lam_vec3 points[16];
   double knots[8] = {-1.2, -1.2, -1.2, -1.2, 1.2, 1.2, 1.2, 1.2};
   for (int i = 0; i < 4; i++) {
@@ -231,8 +244,9 @@ static void test_saddle(void **state) {
   }
   for (int i = 0; i < 4; i++)
     for (int j = 0; j < 4; j++)
-      points[4 * i + j] = lam_v3(first[i] - third[i] / 3 + first[i] * second[j],
-                                 -first[j] + third[j] / 3 - second[i] * first[j], second[i] - second[j]);
+      points[4 * i + j] =
+          lam_v3(first[i] - third[i] / 3 + first[i] * second[j],
+                 -first[j] + third[j] / 3 - second[i] * first[j], second[i] - second[j]);
   lam_spline_surface s = {NULL, {3, 3}, {4, 4}, {knots, knots}, points, NULL};
   double largest, rms, area = lam_surface_area(f->arena, &s, 24);
   long places;
@@ -243,11 +257,13 @@ static void test_saddle(void **state) {
   options.accept_saddles = true;
   lam_least_area_result r = lam_least_area_minimize(f->arena, &s, &options);
   assert_true(r.converged && r.saddles == 0);
-  assert_relative(lam_surface_area(f->arena, &r.surface, 12), area, 1e-9, "Enneper", "area of the saddle");
+  assert_relative(lam_surface_area(f->arena, &r.surface, 12), area, 1e-9, "Enneper",
+                  "area of the saddle");
   options.accept_saddles = false;
   r = lam_least_area_minimize(f->arena, &s, &options);
   assert_true(r.saddles >= 1);
-  if (!(lam_surface_area(f->arena, &r.surface, 12) < 0.99 * area)) fail_msg("area %.8g of %.8g", r.area, area);
+  if (!(lam_surface_area(f->arena, &r.surface, 12) < 0.99 * area))
+    fail_msg("area %.8g of %.8g", r.area, area);
 }
 
 /* The other methods reach the same minimum; the areas of I-functional steps never rise. */
@@ -275,10 +291,10 @@ static void test_methods(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {AREA_TEST(test_refinement),   AREA_TEST(test_variations),
-                                     AREA_TEST(test_measures),     AREA_TEST(test_published),
-                                     AREA_TEST(test_class_minima), AREA_TEST(test_separable_weights),
-                                     AREA_TEST(test_least_area),   AREA_TEST(test_degree),
-                                     AREA_TEST(test_saddle),       AREA_TEST(test_methods)};
+  const struct CMUnitTest tests[] = {
+      AREA_TEST(test_refinement), AREA_TEST(test_variations),   AREA_TEST(test_measures),
+      AREA_TEST(test_published),  AREA_TEST(test_class_minima), AREA_TEST(test_separable_weights),
+      AREA_TEST(test_least_area), AREA_TEST(test_degree),       AREA_TEST(test_saddle),
+      AREA_TEST(test_methods)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

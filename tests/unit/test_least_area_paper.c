@@ -1,8 +1,9 @@
-/* The steps of Wu & Wang, and the surface kind. Figures without a formula were computed by another program with the
- * paper's misprints corrected. */
-#include "surf/least_area_paper.h"
-#include "surf/spline_edit.h"
-#include "surf/spline_surface.h"
+/* The steps of Wu & Wang, and the surface kind. Figures without a formula were computed by another
+ * program with the paper's misprints corrected. */
+#include "core/numbers.h"
+#include "surf/area/area_paper.h"
+#include "surf/spline/spline_edit.h"
+#include "surf/spline/spline_surface.h"
 #include "tests/unit/least_area_fixture.h"
 #include "tests/unit/surface_fixture.h"
 
@@ -28,7 +29,8 @@ static double hybrid_error(area_fixture *f, const char *name, int r) {
   lam_hybrid_approximate(3, from, w, r, r, to);
   for (int k = 0; k <= 500; k++) {
     double t = k / 500.0, sum = 0,
-           b[4] = {(1 - t) * (1 - t) * (1 - t), 3 * t * (1 - t) * (1 - t), 3 * t * t * (1 - t), t * t * t};
+           b[4] = {(1 - t) * (1 - t) * (1 - t), 3 * t * (1 - t) * (1 - t), 3 * t * t * (1 - t),
+                   t * t * t};
     lam_vec3 x = {0}, y[32];
     for (int i = 0; i < 4; i++) {
       x = lam_along(x, b[i] * w[i], from[i]);
@@ -51,14 +53,14 @@ static void test_hybrid(void **state) {
   } cases[] = {{"ex1", 3, 2.0e-2}, {"ex1", 6, 7.1e-4}, {"ex1", 10, 1.1e-5},
                {"ex3", 3, 9.6e-2}, {"ex3", 6, 1.6e-2}, {"ex3", 10, 1.6e-3}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-    assert_near(hybrid_error(f, cases[i].name, cases[i].r), cases[i].error, 0.1 * cases[i].error, cases[i].name,
-                "error", cases[i].r, 0);
+    assert_near(hybrid_error(f, cases[i].name, cases[i].r), cases[i].error, 0.1 * cases[i].error,
+                cases[i].name, "error", cases[i].r, 0);
 }
 
-/* The paper's way with r = p = 3 to its tolerances: steps and areas by another program, whose nearest surfaces had the
- * class's free inner points; examples 1 to 4. Areas here may be less, down to the least of the class (weights 1
- * inside); with separable weights that was 2.8468239 and 8.3419656 for examples 3 and 4, more than the figure in
- * example 3. */
+/* The paper's way with r = p = 3 to its tolerances: steps and areas by another program, whose
+ * nearest surfaces had the class's free inner points; examples 1 to 4. Areas here may be less, down
+ * to the least of the class (weights 1 inside); with separable weights that was 2.8468239
+ * and 8.3419656 for examples 3 and 4, more than the figure in example 3. */
 static const struct {
   const char *name;
   double tolerance;
@@ -80,7 +82,8 @@ static void test_pipeline(void **state) {
     lam_paper_result r = lam_least_area_paper(f->arena, &b, 3, 3, pipeline[i].tolerance, 100);
     assert_true(r.patches.converged);
     assert_int_equal(r.patches.iterations, pipeline[i].steps);
-    if (pipeline[i].patches > 0) assert_relative(r.patches.area, pipeline[i].patches, 1e-4, name, "patches");
+    if (pipeline[i].patches > 0)
+      assert_relative(r.patches.area, pipeline[i].patches, 1e-4, name, "patches");
     double area = lam_surface_area(f->arena, &r.nurbs, 40);
     if (!(area > least && area <= wanted * 1.001))
       fail_msg("%s: %.8g, least %.8g, wanted %.8g", name, area, least, wanted);
@@ -89,15 +92,18 @@ static void test_pipeline(void **state) {
       fail_msg("%s, rational: %.8g, wanted %.8g", name, area, wanted);
     area = lam_surface_area(f->arena, &r.separable, 40);
     double bound = pipeline[i].separable;
-    if (!(area > bound && area < bound * 1.005)) fail_msg("%s, separable: %.8g, least %.8g", name, area, bound);
-    lam_spline_surface free = lam_least_area_paper_weights(f->arena, &b, &r.patches.surface, 0.01, 30);
+    if (!(area > bound && area < bound * 1.005))
+      fail_msg("%s, separable: %.8g, least %.8g", name, area, bound);
+    lam_spline_surface free =
+        lam_least_area_paper_weights(f->arena, &b, &r.patches.surface, 0.01, 30);
     area = lam_surface_area(f->arena, &free, 40);
     if (!(area > area_expected(f, name, "class_free") && area <= wanted * 1.001))
       fail_msg("%s, free weights: %.8g, wanted %.8g", name, area, wanted);
   }
 }
 
-/* Step 2 alone: r - 1 derivatives agree at the ends of every span (here by differences of the border u = 0 and v = 0).
+/* Step 2 alone: r - 1 derivatives agree at the ends of every span (here by differences of the
+ * border u = 0 and v = 0).
  */
 static void test_boundary(void **state) {
   area_fixture *f = *state;
@@ -112,13 +118,16 @@ static void test_boundary(void **state) {
         lam_nurbs_eval(exact, d ? other : at, d ? at : other, &x);
         lam_nurbs_eval(near, d ? other : at, d ? at : other, &y);
         assert_near(lam_distance(x.x, y.x), 0, 1e-9, "border", "place", end, side);
-        assert_near(lam_distance(d ? x.v : x.u, d ? y.v : y.u), 0, 1e-6, "border", "first derivative", end, side);
-        assert_near(lam_distance(d ? x.vv : x.uu, d ? y.vv : y.uu), 0, 1e-5, "border", "second derivative", end, side);
+        assert_near(lam_distance(d ? x.v : x.u, d ? y.v : y.u), 0, 1e-6, "border",
+                    "first derivative", end, side);
+        assert_near(lam_distance(d ? x.vv : x.uu, d ? y.vv : y.uu), 0, 1e-5, "border",
+                    "second derivative", end, side);
       }
     }
 }
 
-/* Step 3 and the first half of step 5 alone, on 2 x 3 patches of degree 2 with chosen points: the formulas by hand. */
+/* Step 3 and the first half of step 5 alone, on 2 x 3 patches of degree 2 with chosen points: the
+ * formulas by hand. */
 static void test_borders(void **state) {
   area_fixture *f = *state;
   static const double ku[] = {0, 0, 0, 1, 1, 2, 2, 2}, kv[] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 3};
@@ -126,9 +135,11 @@ static void test_borders(void **state) {
   for (int i = 0; i < 5; i++)
     for (int j = 0; j < 7; j++) x[7 * i + j] = lam_v3(i * i, j * j * j, i * j);
   lam_spline_surface s = {NULL, {2, 2}, {5, 7}, {ku, kv}, x, NULL};
-  lam_spline_surface first = lam_bezier_borders(f->arena, &s), mean = lam_bezier_average(f->arena, &s);
+  lam_spline_surface first = lam_bezier_borders(f->arena, &s),
+                     mean = lam_bezier_average(f->arena, &s);
 #define AT(surface, i, j) ((surface).points[7 * (i) + (j)])
-  /* u border: half way between i = 0 and i = 4; v border: a third between j = 0 and j = 6; corner: mean of both */
+  /* u border: half way between i = 0 and i = 4; v border: a third between j = 0 and j = 6; corner:
+   * mean of both */
   assert_true(lam_distance(AT(first, 2, 3), lam_v3(8, 27, 6)) < 1e-12);
   assert_true(lam_distance(AT(first, 1, 2), lam_v3(1, 72, 2)) < 1e-12);
   assert_true(lam_distance(AT(first, 2, 2), lam_v3(6, 40, 4)) < 1e-12);
@@ -138,17 +149,19 @@ static void test_borders(void **state) {
   for (int k = 0; k < 35; k++) {
     int i = k / 7, j = k % 7;
     if (i > 0 && i < 4 && j > 0 && j < 6 && (i == 2 || j % 2 == 0)) continue;
-    assert_true(lam_distance(AT(first, i, j), x[k]) == 0 && lam_distance(AT(mean, i, j), x[k]) == 0);
+    assert_true(lam_distance(AT(first, i, j), x[k]) == 0 &&
+                lam_distance(AT(mean, i, j), x[k]) == 0);
   }
 #undef AT
 }
 
-/* Step 4 alone: (u, v, u^3 - 3 u v^2) is harmonic, so its border gives it back, by every energy whose least value it
- * has: all but bending, which wants free edges to be straight. */
+/* Step 4 alone: (u, v, u^3 - 3 u v^2) is harmonic, so its border gives it back, by every energy
+ * whose least value it has: all but bending, which wants free edges to be straight. */
 static void test_fill(void **state) {
   area_fixture *f = *state;
   static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
-  static const double powers[4][4] = {{1, 1, 1, 1}, {0, 1. / 3, 2. / 3, 1}, {0, 0, 1. / 3, 1}, {0, 0, 0, 1}};
+  static const double powers[4][4] = {
+      {1, 1, 1, 1}, {0, 1. / 3, 2. / 3, 1}, {0, 0, 1. / 3, 1}, {0, 0, 0, 1}};
   lam_vec3 x[16], whole[25];
   for (int k = 0; k < 16; k++) {
     int i = k / 4, j = k % 4;
@@ -160,7 +173,8 @@ static void test_fill(void **state) {
   for (int energy = LAM_BEZIER_DIRICHLET; energy <= LAM_BEZIER_BIHARMONIC; energy++) {
     lam_vec3 given[25];
     double off = 0;
-    for (int k = 0; k < 25; k++) given[k] = k / 5 % 4 && k % 5 % 4 ? lam_v3(3, sin(k), 1) : whole[k];
+    for (int k = 0; k < 25; k++)
+      given[k] = k / 5 % 4 && k % 5 % 4 ? lam_v3(3, sin(k), 1) : whole[k];
     s.points = given;
     lam_spline_surface full = lam_bezier_fill(f->arena, &s, (lam_bezier_energy)energy);
     for (int k = 0; k < 25; k++) off = fmax(off, lam_distance(full.points[k], whole[k]));
@@ -169,7 +183,8 @@ static void test_fill(void **state) {
   }
 }
 
-/* No step on the patches raises an area; the first borders and all four energies keep the outer border. */
+/* No step on the patches raises an area; the first borders and all four energies keep the outer
+ * border. */
 static void test_steps(void **state) {
   area_fixture *f = *state;
   lam_spline_surface b = area_boundary(f, "ex2"), outer = lam_bezier_boundary(f->arena, &b, 3, 3);
@@ -178,16 +193,19 @@ static void test_steps(void **state) {
     lam_spline_surface s = lam_bezier_borders(f->arena, &outer);
     s = lam_bezier_fill(f->arena, &s, (lam_bezier_energy)energy);
     double area = lam_surface_area(f->arena, &s, 16);
-    if (!(area > 11 && area < 25)) fail_msg("energy %d: area %.6g", energy, area); /* discrete Coons points: 18.9 */
+    if (!(area > 11 && area < 25))
+      fail_msg("energy %d: area %.6g", energy, area); /* discrete Coons points: 18.9 */
     for (int k = 0; k < 5; k++) {
       s = lam_bezier_improve(f->arena, &s);
       double next = lam_surface_area(f->arena, &s, 16);
-      if (next > area * (1 + 1e-9)) fail_msg("energy %d, step %d: %.10g after %.10g", energy, k, next, area);
+      if (next > area * (1 + 1e-9))
+        fail_msg("energy %d, step %d: %.10g after %.10g", energy, k, next, area);
       area = next;
     }
     lam_least_area_result end = lam_bezier_iterate(f->arena, &s, 0.02, 100);
     assert_true(end.converged && end.iterations > 0 && end.iterations < 100);
-    assert_relative(lam_surface_area(f->arena, &end.surface, 16), end.area, 1e-4, "ex2", "area of the iteration");
+    assert_relative(lam_surface_area(f->arena, &end.surface, 16), end.area, 1e-4, "ex2",
+                    "area of the iteration");
     s = end.surface;
     for (int i = 0; i < s.count[0]; i++)
       assert_true(lam_distance(s.points[i * s.count[1]], outer.points[i * s.count[1]]) == 0);
@@ -203,14 +221,15 @@ static void test_fit(void **state) {
   assert_near(lam_spline_surface_distance(f->arena, &same, &s), 0, 1e-12, "fit", "distance", 0, 0);
   lam_spline_surface space = lam_least_area_separable_weights(f->arena, &s);
   same = lam_spline_surface_fit_weights(f->arena, &space, &s, 0.01, 30);
-  assert_near(lam_spline_surface_distance(f->arena, &same, &s), 0, 1e-8, "fit with weights", "distance", 0, 0);
+  assert_near(lam_spline_surface_distance(f->arena, &same, &s), 0, 1e-8, "fit with weights",
+              "distance", 0, 0);
   for (int k = 0; k < s.count[0] * s.count[1]; k++)
     assert_near(same.weights[k], s.weights[k], 1e-6, "fit", "weight", k, 0);
 }
 
-/* Step 6 alone: a surface z = x y on the square, with inner points moved along it and off it, comes back to a target
- * that is parameterized otherwise (u^2 for u) and ends before the border, where its tangent planes go on: at the last
- * corner they are off by .03 * .02. */
+/* Step 6 alone: a surface z = x y on the square, with inner points moved along it and off it, comes
+ * back to a target that is parameterized otherwise (u^2 for u) and ends before the border, where
+ * its tangent planes go on: at the last corner they are off by .03 * .02. */
 static void test_nearest(void **state) {
   area_fixture *f = *state;
   static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
@@ -234,23 +253,26 @@ static void test_nearest(void **state) {
     assert_near(jet.x.z, jet.x.x * jet.x.y, 6e-4, "nearest", "height", k, 0);
   }
   lam_spline_surface same = lam_spline_surface_nearest(f->arena, &to, &to);
-  assert_near(lam_spline_surface_distance(f->arena, &same, &to), 0, 1e-12, "nearest to itself", "distance", 0, 0);
+  assert_near(lam_spline_surface_distance(f->arena, &same, &to), 0, 1e-12, "nearest to itself",
+              "distance", 0, 0);
 }
 
-/* Half a cylinder of radius 1 and length 3 is the surface of mean curvature 1/2 on its boundary; area 3 pi. The curves
- * are given in mixed directions. */
+/* Half a cylinder of radius 1 and length 3 is the surface of mean curvature 1/2 on its boundary;
+ * area 3 pi. The curves are given in mixed directions. */
 static void test_mean_curvature(void **state) {
   lam_fixture *f = *state;
   static const char arc[] =
       "degree: 2, weights: [1,0.7071067811865476,1,0.7071067811865476,1], knots: [0,0,0,1,1,2,2,2]";
-  lam_surface s =
-      made(f, "least-area",
-           lam_arena_printf(f->arena,
-                            "{mean_curvature: -0.5, curves: [{points: [-1,0,0, -1,0,1, 0,0,1, 1,0,1, 1,0,0], %s},"
-                            " {points: [-1,3,0, -1,0,0]}, {points: [1,3,0, 1,3,1, 0,3,1, -1,3,1, -1,3,0], %s},"
-                            " {points: [1,0,0, 1,3,0]}]}",
-                            arc, arc));
-  assert_near(lam_surface_area(f->arena, s.kind->spline(s.data), 8), 3 * M_PI, 1e-7, "half cylinder", "area", 0, 0);
+  lam_surface s = made(
+      f, "least-area",
+      lam_arena_printf(
+          f->arena,
+          "{mean_curvature: -0.5, curves: [{points: [-1,0,0, -1,0,1, 0,0,1, 1,0,1, 1,0,0], %s},"
+          " {points: [-1,3,0, -1,0,0]}, {points: [1,3,0, 1,3,1, 0,3,1, -1,3,1, -1,3,0], %s},"
+          " {points: [1,0,0, 1,3,0]}]}",
+          arc, arc));
+  assert_near(lam_surface_area(f->arena, s.kind->spline(s.data), 8), 3 * LAM_PI, 1e-7,
+              "half cylinder", "area", 0, 0);
   for (int k = 0; k < 20; k++) {
     lam_jet jet;
     lam_surface_eval(&s, k / 19.0, (7 * k % 20) / 19.0, &jet);
@@ -265,8 +287,9 @@ static double measured(const lam_stage *stage, const char *name) {
   return 0;
 }
 
-/* A design gets the results by the wanted weights, and its report has the areas of all of them. The default boundary is
- * polynomial: weights 1 are separable, and the borders of the patches are exact. */
+/* A design gets the results by the wanted weights, and its report has the areas of all of them. The
+ * default boundary is polynomial: weights 1 are separable, and the borders of the patches are
+ * exact. */
 static void test_report(void **state) {
   lam_fixture *f = *state;
   static const char *const keys[] = {
@@ -281,26 +304,30 @@ static void test_report(void **state) {
     s.kind->report(f->arena, s.data, &stage);
     double area = lam_surface_area(f->arena, s.kind->spline(s.data), 20);
     assert_relative(measured(&stage, "area"), area, 1e-8, keys[k], "area");
-    if (k % 2) assert_relative(measured(&stage, "area_separable"), area, 1e-8, keys[k], "separable");
+    if (k % 2)
+      assert_relative(measured(&stage, "area_separable"), area, 1e-8, keys[k], "separable");
     double patches = measured(&stage, "area_patches"), rational = measured(&stage, "area_rational");
     if (k < 2 && !(patches > least && rational > least && area > least && area < 1.001 * least))
-      fail_msg("%s: patches %.10g, rational %.10g, area %.10g; least %.10g", keys[k], patches, rational, area, least);
-    if (k == 3 && !(fabs(area / rational - 1) > 1e-6)) fail_msg("separable weights make no difference: %.10g", area);
+      fail_msg("%s: patches %.10g, rational %.10g, area %.10g; least %.10g", keys[k], patches,
+               rational, area, least);
+    if (k == 3 && !(fabs(area / rational - 1) > 1e-6))
+      fail_msg("separable weights make no difference: %.10g", area);
   }
 }
 
 static void test_wrong_input(void **state) {
   lam_fixture *f = *state;
-  static const char *const wrong[][2] = {{"{points: [0,0,0, 1,1,1]}", "points"},
-                                         {"{weights: [1, 2]}", "weights"},
-                                         {"{weights: [1,1,1,1, 1,-1,1,1, 1,1,1,1]}", "weights"},
-                                         {"{knots_u: [0,1,2,3,4,5,6,7]}", "knots_u"},
-                                         {"{curves: [{points: [0,0,0, 1,0,0]}]}", "curves"},
-                                         {"{curves: [{points: [0,0,0, 1,0,0]}, {points: [0,0,0, 0,1,0]}, {points: "
-                                          "[0,1,0, 1,1,0]}, {points: [1,0,0, 1,1,1]}]}",
-                                          "curves[3]"},
-                                         {"{mean_curvature: 0.1, method: paper}", "mean_curvature"},
-                                         {"{mean_curvature: 0.1, inner_weights: free}", "mean_curvature"}};
+  static const char *const wrong[][2] = {
+      {"{points: [0,0,0, 1,1,1]}", "points"},
+      {"{weights: [1, 2]}", "weights"},
+      {"{weights: [1,1,1,1, 1,-1,1,1, 1,1,1,1]}", "weights"},
+      {"{knots_u: [0,1,2,3,4,5,6,7]}", "knots_u"},
+      {"{curves: [{points: [0,0,0, 1,0,0]}]}", "curves"},
+      {"{curves: [{points: [0,0,0, 1,0,0]}, {points: [0,0,0, 0,1,0]}, {points: "
+       "[0,1,0, 1,1,0]}, {points: [1,0,0, 1,1,1]}]}",
+       "curves[3]"},
+      {"{mean_curvature: 0.1, method: paper}", "mean_curvature"},
+      {"{mean_curvature: 0.1, inner_weights: free}", "mean_curvature"}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     f->errors = (lam_errors){.arena = f->arena};
     assert_null(make(f, "least-area", wrong[i][0]).kind);
@@ -310,9 +337,10 @@ static void test_wrong_input(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {AREA_TEST(test_ratio),     AREA_TEST(test_hybrid),   AREA_TEST(test_pipeline),
-                                     AREA_TEST(test_steps),     AREA_TEST(test_boundary), AREA_TEST(test_borders),
-                                     AREA_TEST(test_fill),      AREA_TEST(test_nearest),  AREA_TEST(test_fit),
-                                     TEST(test_mean_curvature), TEST(test_report),        TEST(test_wrong_input)};
+  const struct CMUnitTest tests[] = {
+      AREA_TEST(test_ratio),     AREA_TEST(test_hybrid),   AREA_TEST(test_pipeline),
+      AREA_TEST(test_steps),     AREA_TEST(test_boundary), AREA_TEST(test_borders),
+      AREA_TEST(test_fill),      AREA_TEST(test_nearest),  AREA_TEST(test_fit),
+      TEST(test_mean_curvature), TEST(test_report),        TEST(test_wrong_input)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

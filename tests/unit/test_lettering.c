@@ -1,7 +1,7 @@
 /* The stroke alphabet. */
 #include "plane_grid.h"
 
-#include "fab/lettering.h"
+#include "fab/flat/lettering.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,7 +10,8 @@
 
 #include <cmocka.h>
 
-static lam_paths letters(lam_arena *arena, const char *text, lam_vec2 origin, double angle, double height) {
+static lam_paths letters(lam_arena *arena, const char *text, lam_vec2 origin, double angle,
+                         double height) {
   lam_paths paths = {.arena = arena};
   lam_lettering_add(&paths, LAM_LAYER_LABEL, text, origin, angle, height);
   return paths;
@@ -21,7 +22,8 @@ static bool same_strokes(const lam_paths *a, const lam_paths *b) {
   for (int i = 0; i < a->count; i++) {
     if (a->items[i].count != b->items[i].count) return false;
     for (int k = 0; k < a->items[i].count; k++)
-      if (a->items[i].points[k].x != b->items[i].points[k].x || a->items[i].points[k].y != b->items[i].points[k].y)
+      if (a->items[i].points[k].x != b->items[i].points[k].x ||
+          a->items[i].points[k].y != b->items[i].points[k].y)
         return false;
   }
   return true;
@@ -49,7 +51,8 @@ static void every_character_is_drawn_and_differs(void **state) {
   lam_arena_free(arena);
 }
 
-/* By definition capitals are `height` high, descenders reach height/3, and lam_lettering_width is the width of the box.
+/* By definition capitals are `height` high, descenders reach height/3, and lam_lettering_width is
+ * the width of the box.
  */
 static void strokes_stay_in_their_box(void **state) {
   (void)state;
@@ -69,7 +72,8 @@ static void strokes_stay_in_their_box(void **state) {
   lam_arena_free(arena);
 }
 
-/* A word is as wide as its letters and the gaps between them: the last stroke of M8 ends where its width says. */
+/* A word is as wide as its letters and the gaps between them: the last stroke of M8 ends where its
+ * width says. */
 static void words_are_as_wide_as_told(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();

@@ -1,4 +1,5 @@
 /* Smooth curves along polylines of nets. */
+#include "core/numbers.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +8,7 @@
 #include <cmocka.h>
 
 #include "curve/curve.h"
-#include "net/line_curve.h"
+#include "mesh/line_curve.h"
 #include <stdio.h>
 
 static int set_up(void **state) { return (*state = lam_arena_new()) == NULL; }
@@ -25,14 +26,18 @@ enum { most = 64 };
 static int order[most];
 
 static lam_polyline line_of(int count, bool closed) {
-  for (int i = 0; i < most; i++) order[i] = most - 1 - i; /* of vertices in another order than the line's */
+  for (int i = 0; i < most; i++)
+    order[i] = most - 1 - i; /* of vertices in another order than the line's */
   return (lam_polyline){0, closed, count, order};
 }
 
 /* The curve's jet at t from the right, or from the left at the end of a piece. */
-static void jet(const lam_spline_curve *c, double t, lam_vec3 x[4]) { lam_spline_curve_eval(c, t, 3, x); }
+static void jet(const lam_spline_curve *c, double t, lam_vec3 x[4]) {
+  lam_spline_curve_eval(c, t, 3, x);
+}
 
-/* At chord-length parameters, the curve is at the vertices; between knots, second derivatives go on. */
+/* At chord-length parameters, the curve is at the vertices; between knots, second derivatives go
+ * on. */
 static void vertices_are_interpolated(void **state) {
   lam_vec3 x[most];
   for (int i = 0; i < most; i++) x[most - 1 - i] = lam_v3(i, 0.1 * i * i, sin(0.7 * i));
@@ -53,22 +58,25 @@ static void vertices_are_interpolated(void **state) {
       if (i == 0 || i == count - 1) continue;
       jet(&c, t - 1e-9, before);
       jet(&c, t + 1e-9, after);
-      assert_near(lam_distance(before[2], after[2]), 0, 1e-4 * (1 + lam_length(at[2])), "second derivative");
+      assert_near(lam_distance(before[2], after[2]), 0, 1e-4 * (1 + lam_length(at[2])),
+                  "second derivative");
     }
   }
 }
 
-/* A closed line comes back to its start with the same first and second derivatives. Through n points of a circle of
- * radius 1, an angle a apart, the C2 cubic over equal steps has derivatives D with D (4 + 2 cos a) = 6 sin a there
- * (from D_(i-1) + 4 D_i + D_(i+1) = 3 (P_(i+1) - P_(i-1))), and lies cos(a/2) + D sin(a/2) / 4 from the center halfway.
+/* A closed line comes back to its start with the same first and second derivatives. Through n
+ * points of a circle of radius 1, an angle a apart, the C2 cubic over equal steps has derivatives D
+ * with D (4 + 2 cos a) = 6 sin a there (from D_(i-1) + 4 D_i + D_(i+1) = 3 (P_(i+1) - P_(i-1))),
+ * and lies cos(a/2) + D sin(a/2) / 4 from the center halfway.
  */
 static void closed_lines_close(void **state) {
   static const int counts[] = {4, 5, 12, 40};
   for (int k = 0; k < 4; k++) {
     int n = counts[k];
-    double pi = 3.14159265358979323846;
+    double pi = LAM_PI;
     lam_vec3 x[most];
-    for (int i = 0; i < most; i++) x[most - 1 - i] = lam_v3(cos(2 * pi * i / n), sin(2 * pi * i / n), 0);
+    for (int i = 0; i < most; i++)
+      x[most - 1 - i] = lam_v3(cos(2 * pi * i / n), sin(2 * pi * i / n), 0);
     lam_polyline line = line_of(n, true);
     lam_spline_curve c = lam_polyline_curve(*state, x, &line);
     lam_vec3 start[4], end[4], middle[4];
@@ -77,7 +85,8 @@ static void closed_lines_close(void **state) {
     assert_near(c.knots[0], 0, 0, "domain");
     assert_near(c.knots[c.count], 1, 0, "domain");
     for (int d = 0; d < 3; d++)
-      assert_near(lam_distance(start[d], end[d]), 0, 1e-11 * (1 + lam_length(start[d])), "derivative at the seam");
+      assert_near(lam_distance(start[d], end[d]), 0, 1e-11 * (1 + lam_length(start[d])),
+                  "derivative at the seam");
     double a = 2 * pi / n, halfway = cos(a / 2) + 6 * sin(a) / (4 + 2 * cos(a)) * sin(a / 2) / 4;
     for (int i = 0; i < n; i++) {
       jet(&c, (i + 0.5) / n, middle);

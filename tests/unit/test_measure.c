@@ -12,7 +12,8 @@ static lam_vec3 turned(double i, double j) { /* net_plane turned about the x axi
   return lam_v3(i + 7, .6 * j - 3, .8 * j + 1);
 }
 
-/* A unit grid of 4 x 5 vertices in any plane: 31 edges of length 1, angles of 90 degrees, nothing else. */
+/* A unit grid of 4 x 5 vertices in any plane: 31 edges of length 1, angles of 90 degrees, nothing
+ * else. */
 static void a_unit_grid(void **state) {
   net_fixture *f = *state;
   static const struct {
@@ -79,13 +80,15 @@ static void a_unit_grid(void **state) {
     int count;
     lam_measuring in = lam_measuring_of(f->arena, &net, meshes[i].vertices);
     lam_measure *all = lam_net_measure(&in, NULL, &count);
-    assert_int_equal(count, sizeof rows / sizeof *rows); /* every measure has a row here, but the slow ones */
+    assert_int_equal(count, sizeof rows /
+                                sizeof *rows); /* every measure has a row here, but the slow ones */
     for (int k = 0; k < count; k++) {
       int r = 0;
       while (r < count && strcmp(all[k].name, rows[r].name) != 0) r++;
       if (r == count) fail_msg("%s has no row here", all[k].name);
       assert_int_equal(all[k].count, rows[r].count);
-      if (rows[r].count == 0) assert_true(isnan(all[k].min) && isnan(all[k].max) && isnan(all[k].mean));
+      if (rows[r].count == 0)
+        assert_true(isnan(all[k].min) && isnan(all[k].max) && isnan(all[k].mean));
       if (rows[r].count == 0) continue;
       assert_near(all[k].min, rows[r].value, 1e-13);
       assert_near(all[k].max, rows[r].value, 1e-13);
@@ -94,8 +97,8 @@ static void a_unit_grid(void **state) {
   }
 }
 
-/* The neighbors of a star with arms of 1 raised by +h, -h, +h, -h: the plane stays, four points are h away, the mean
- * edge is sqrt(1 + h^2). */
+/* The neighbors of a star with arms of 1 raised by +h, -h, +h, -h: the plane stays, four points are
+ * h away, the mean edge is sqrt(1 + h^2). */
 static void a_star_out_of_plane(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
@@ -109,7 +112,8 @@ static void a_star_out_of_plane(void **state) {
   assert_near(measured(f, &mesh, "turning_angle").max, 2 * atan(h) * 180 / net_pi, 1e-12);
   assert_near(measured(f, &mesh, "turning_angle_u").max, 2 * atan(h) * 180 / net_pi, 1e-12);
   assert_near(measured(f, &mesh, "turning_angle_v").max, 2 * atan(h) * 180 / net_pi, 1e-12);
-  mesh.vertices[3].z = mesh.vertices[5].z = 0; /* family 0 runs through 1, 4, 7; family 1 through 3, 4, 5 */
+  mesh.vertices[3].z = mesh.vertices[5].z =
+      0; /* family 0 runs through 1, 4, 7; family 1 through 3, 4, 5 */
   mesh.vertices[1].z = mesh.vertices[7].z = 0;
   mesh.vertices[7].y += h;
   assert_near(measured(f, &mesh, "turning_angle_u").max, atan(h) * 180 / net_pi, 1e-12);
@@ -117,9 +121,9 @@ static void a_star_out_of_plane(void **state) {
   assert_near(measured(f, &mesh, "crossing_angle").max, 90 - atan(h) / 2 * 180 / net_pi, 1e-12);
 }
 
-/* A center at height 1 over a ring in the plane: about its plane of best fit z = 1/5, it stands out by 4/5. Any
- * valence: the peaks of the cube, (1, 1, 1) over three neighbors in the plane x + y + z = 1 is 2/sqrt 3 high, over a
- * fit at a quarter. */
+/* A center at height 1 over a ring in the plane: about its plane of best fit z = 1/5, it stands out
+ * by 4/5. Any valence: the peaks of the cube, (1, 1, 1) over three neighbors in the plane x + y + z
+ * = 1 is 2/sqrt 3 high, over a fit at a quarter. */
 static void stars_of_any_valence(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
@@ -132,15 +136,15 @@ static void stars_of_any_valence(void **state) {
   assert_near(m.mean, m.max, 1e-14);
 }
 
-/* A unit square with one corner raised by h: d1 = (1,1,h), d2 = (-1,1,0); the distance of the diagonals is |E.(d1 x
- * d2)| / |d1 x d2| with E = (1,0,0), d1 x d2 = (-h, -h, 2). */
+/* A unit square with one corner raised by h: d1 = (1,1,h), d2 = (-1,1,0); the distance of the
+ * diagonals is |E.(d1 x d2)| / |d1 x d2| with E = (1,0,0), d1 x d2 = (-h, -h, 2). */
 static void a_twisted_quad(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 2, 2, net_plane);
   double h = .3;
   mesh.vertices[3].z = h;
-  assert_near(measured(f, &mesh, "face_planarity").max, h / sqrt(4 + 2 * h * h) / ((sqrt(2 + h * h) + root2) / 2),
-              1e-15);
+  assert_near(measured(f, &mesh, "face_planarity").max,
+              h / sqrt(4 + 2 * h * h) / ((sqrt(2 + h * h) + root2) / 2), 1e-15);
   assert_near(measured(f, &mesh, "edge_length").max, sqrt(1 + h * h), 1e-15);
   assert_near(measured(f, &mesh, "edge_length").mean, (1 + sqrt(1 + h * h)) / 2, 1e-15);
   assert_near(measured(f, &mesh, "shortest_edge").max, 2 / (1 + sqrt(1 + h * h)), 1e-15);
@@ -167,12 +171,14 @@ static void a_sheared_grid(void **state) {
   }
 }
 
-/* A strip folded back onto itself: the three edges across it are folded. A right-angled bend is none. */
+/* A strip folded back onto itself: the three edges across it are folded. A right-angled bend is
+ * none. */
 static void a_folded_net(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 5, 4, net_plane);
   for (int v = 0; v < 20; v++)
-    if (mesh.vertices[v].x > 2) mesh.vertices[v].x = 4 - mesh.vertices[v].x, mesh.vertices[v].z = .1;
+    if (mesh.vertices[v].x > 2)
+      mesh.vertices[v].x = 4 - mesh.vertices[v].x, mesh.vertices[v].z = .1;
   lam_measure m = measured(f, &mesh, "foldovers");
   assert_near(m.max, 3, 0);
   assert_int_equal(m.count, 1);
@@ -182,9 +188,9 @@ static void a_folded_net(void **state) {
 
 static lam_vec3 wave(double i, double j) { return lam_v3(i, j, (int)i % 2 ? .25 : -.25); }
 
-/* Rows at +-1/4 over 0 <= x <= 7, 0 <= y <= 3 with the corners left out: the height is 1/4 everywhere, the variance of
- * x over the 28 other vertices is (4 * 42 - 4 * 12.25) / 28 = 4.25; x and z correlate slightly, so the fit is a little
- * better than z = 0. */
+/* Rows at +-1/4 over 0 <= x <= 7, 0 <= y <= 3 with the corners left out: the height is 1/4
+ * everywhere, the variance of x over the 28 other vertices is (4 * 42 - 4 * 12.25) / 28 = 4.25; x
+ * and z correlate slightly, so the fit is a little better than z = 0. */
 static void flatness_is_thickness_over_length(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 8, 4, wave);
@@ -245,8 +251,12 @@ static lam_vec3 explode(lam_vec3 x) { return lam_scale(x, 25); }
 static lam_vec3 flatten(lam_vec3 x) { return lam_v3(x.x, x.y, .01 * x.z); }
 static lam_vec3 fold(lam_vec3 x) { return x.x > 2.5 ? lam_v3(5 - x.x, x.y, x.z + .2) : x; }
 /* the second column next to the first, whose height is twice its own */
-static lam_vec3 squeeze(lam_vec3 x) { return x.x > .5 && x.x < 1.5 ? lam_v3(.001, x.y, 2 * x.z) : x; }
-static lam_vec3 ruin(lam_vec3 x) { return x.x > 1.5 && x.x < 2.5 && x.y > .5 && x.y < 1.5 ? lam_v3(x.x, NAN, x.z) : x; }
+static lam_vec3 squeeze(lam_vec3 x) {
+  return x.x > .5 && x.x < 1.5 ? lam_v3(.001, x.y, 2 * x.z) : x;
+}
+static lam_vec3 ruin(lam_vec3 x) {
+  return x.x > 1.5 && x.x < 2.5 && x.y > .5 && x.y < 1.5 ? lam_v3(x.x, NAN, x.z) : x;
+}
 static lam_vec3 larger(lam_vec3 x) { return lam_scale(x, 3); }
 
 static void degenerate_states_have_names(void **state) {

@@ -1,5 +1,6 @@
-/* Curvatures of nets on surfaces whose curvatures are known in closed form, and distances to a reference. */
-#include "net/curvature.h"
+/* Curvatures of nets on surfaces whose curvatures are known in closed form, and distances to a
+ * reference. */
+#include "mesh/net_curvature.h"
 #include "net_fixture.h"
 
 static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *name) {
@@ -8,17 +9,18 @@ static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *na
 }
 
 /* All values of a measure differ from the expected one by at most the tolerance. */
-#define assert_all(mesh, name, expected, tolerance)                                                                    \
-  do {                                                                                                                 \
-    lam_measure all_ = measured(f, mesh, name);                                                                        \
-    assert_true(all_.count > 0);                                                                                       \
-    assert_near(all_.min, expected, tolerance);                                                                        \
-    assert_near(all_.max, expected, tolerance);                                                                        \
+#define assert_all(mesh, name, expected, tolerance)                                                \
+  do {                                                                                             \
+    lam_measure all_ = measured(f, mesh, name);                                                    \
+    assert_true(all_.count > 0);                                                                   \
+    assert_near(all_.min, expected, tolerance);                                                    \
+    assert_near(all_.max, expected, tolerance);                                                    \
   } while (0)
 
 static double step; /* of the parameters, per vertex */
 
-/* Radius 2; u along the meridian, v along the parallel: the normal looks outward. Turned by .7 about the x axis. */
+/* Radius 2; u along the meridian, v along the parallel: the normal looks outward. Turned by .7
+ * about the x axis. */
 static lam_vec3 sphere(double i, double j) {
   double u = step * i - .6, v = step * j - .6;
   lam_vec3 p = lam_v3(2 * cos(u) * cos(v), 2 * cos(u) * sin(v), 2 * sin(u));
@@ -26,8 +28,8 @@ static lam_vec3 sphere(double i, double j) {
   return lam_v3(p.x, cos(.7) * p.y - sin(.7) * p.z, sin(.7) * p.y + cos(.7) * p.z);
 }
 
-/* Radius 2, k = (-1/2, -1/2) seen from outside; halving the spacing divides the error by 8 nearly: its worst is next to
- * the boundary. */
+/* Radius 2, k = (-1/2, -1/2) seen from outside; halving the spacing divides the error by 8 nearly:
+ * its worst is next to the boundary. */
 static void a_sphere(void **state) {
   net_fixture *f = *state;
   double error[2];
@@ -37,7 +39,8 @@ static void a_sphere(void **state) {
     lam_net net = net_built(f, &mesh);
     lam_vec3 *normals = LAM_NEW(f->arena, lam_vec3, mesh.vertex_count);
     lam_net_normals(&net, mesh.vertices, normals);
-    double side = lam_dot(normals[mesh.vertex_count / 2], mesh.vertices[mesh.vertex_count / 2]) > 0 ? -1 : 1;
+    double side =
+        lam_dot(normals[mesh.vertex_count / 2], mesh.vertices[mesh.vertex_count / 2]) > 0 ? -1 : 1;
     lam_measure m = measured(f, &mesh, "mean_curvature");
     error[i] = fmax(fabs(m.min - side / 2), fabs(m.max - side / 2));
     assert_below(error[i], 1.2e-3);
@@ -52,12 +55,13 @@ static void a_sphere(void **state) {
 static double slope; /* of family 0 against the rulings */
 
 static lam_vec3 cylinder(double i, double j) { /* radius 3 about the z axis */
-  double a = step * (i * sin(slope) + j * cos(slope)), z = 3 * step * (i * cos(slope) - j * sin(slope));
+  double a = step * (i * sin(slope) + j * cos(slope)),
+         z = 3 * step * (i * cos(slope) - j * sin(slope));
   return lam_v3(3 * cos(a), 3 * sin(a), z);
 }
 
-/* Radius 3: k = (0, 1/3) by absolute value. A net whose families run at 45 degrees to the rulings has them as
- * bisectors; a net along the rulings is 45 degrees off. */
+/* Radius 3: k = (0, 1/3) by absolute value. A net whose families run at 45 degrees to the rulings
+ * has them as bisectors; a net along the rulings is 45 degrees off. */
 static void a_cylinder(void **state) {
   net_fixture *f = *state;
   static const double slopes[3] = {0, 45, 20}, deviations[3] = {45, 0, 25};
@@ -101,8 +105,8 @@ static void a_saddle(void **state) {
   assert_near(lam_measure_values(lam_measure_find("gauss_curvature"), &in)[40], -.03, 1e-12);
 }
 
-/* Torus of radii 3 and 1, closed: K = cos v / (3 + cos v), |H| = (3 + 2 cos v) / (2 (3 + cos v)). The normals cover the
- * sphere twice, with opposite signs. */
+/* Torus of radii 3 and 1, closed: K = cos v / (3 + cos v), |H| = (3 + 2 cos v) / (2 (3 + cos v)).
+ * The normals cover the sphere twice, with opposite signs. */
 static void a_torus(void **state) {
   net_fixture *f = *state;
   int n = 144, m = 48;
@@ -121,8 +125,8 @@ static void a_torus(void **state) {
   assert_near(measured(f, &mesh, "gauss_image_area").max, 8 * net_pi, .01 * 8 * net_pi);
 }
 
-/* A cube subdivided and blown up to the unit sphere: closed, with eight vertices of valence 3. The normals cover the
- * sphere once: 4 pi. */
+/* A cube subdivided and blown up to the unit sphere: closed, with eight vertices of valence 3. The
+ * normals cover the sphere once: 4 pi. */
 static void a_closed_sphere_with_irregular_vertices(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_cube(f->arena);
@@ -147,14 +151,15 @@ static void a_cube(void **state) {
   assert_near(measured(f, &cube, "gauss_image_area").max, 4 * net_pi, 1e-12);
 }
 
-/* Diagonal nets of the unduloid with a neck of .4: |H| = 1 / 1.4. Both measures of H come nearer to it as the net is
- * refined. */
+/* Diagonal nets of the unduloid with a neck of .4: |H| = 1 / 1.4. Both measures of H come nearer to
+ * it as the net is refined. */
 static void mean_curvature_of_an_unduloid(void **state) {
   net_fixture *f = *state;
   double off[2], cotangent[2];
   for (int i = 0; i < 2; i++) {
     lam_mesh mesh = net_sampled(f, "unduloid", "{}", LAM_CHART_DIAGONAL, 24 << i, 24 << i, 0);
-    lam_measure m = measured(f, &mesh, "mean_curvature"), c = measured(f, &mesh, "cotangent_mean_curvature");
+    lam_measure m = measured(f, &mesh, "mean_curvature"),
+                c = measured(f, &mesh, "cotangent_mean_curvature");
     off[i] = fabs(fabs(m.mean) - 1 / 1.4);
     cotangent[i] = fabs(fabs(c.mean) - 1 / 1.4);
   }
@@ -163,8 +168,9 @@ static void mean_curvature_of_an_unduloid(void **state) {
   assert_below(cotangent[1], .01);
 }
 
-/* A square of side 3 above the reference, a square of side 4 in the plane that reaches .5 further on every side: every
- * vertex is .3 away; the corners of the reference are sqrt(.3^2 + .5^2 + .5^2) away from the net. */
+/* A square of side 3 above the reference, a square of side 4 in the plane that reaches .5 further
+ * on every side: every vertex is .3 away; the corners of the reference are sqrt(.3^2 + .5^2 + .5^2)
+ * away from the net. */
 static void distances_to_a_reference(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 4, 4, net_plane);

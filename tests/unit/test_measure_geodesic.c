@@ -1,12 +1,13 @@
-/* Measures of angles at stars, of lines rolled out flat, of strips and of strains, where their values are known by
- * hand. */
-#include "net/measure.h"
+/* Measures of angles at stars, of lines rolled out flat, of strips and of strains, where their
+ * values are known by hand. */
+#include "net/measures/measure.h"
 #include "net_fixture.h"
 
 static double summary(const lam_measuring *in, const char *name, long *count) {
   const lam_measure_kind *kind = lam_measure_find(name);
   assert_non_null(kind);
-  lam_measure m = lam_measure_summary(kind, lam_measure_values(kind, in), lam_measure_size(kind, in->net));
+  lam_measure m =
+      lam_measure_summary(kind, lam_measure_values(kind, in), lam_measure_size(kind, in->net));
   if (count) *count = m.count;
   return m.max;
 }
@@ -21,9 +22,10 @@ static lam_vec3 toward(double degrees, double length) {
   return lam_v3(length * cos(degrees * net_pi / 180), length * sin(degrees * net_pi / 180), 0);
 }
 
-/* A flat star with arms at 0, 80, 190 and 260 degrees, of any lengths: angles of 80, 110, 70 and 100 degrees. Opposite
- * ones differ by 10, all by 40. Along u 190 degrees lie to the left and 170 to the right: 10 out of straight; along v
- * 180 on both sides. The tangents halve 0 and 10, and 80 and 80 degrees: they cross at 75. */
+/* A flat star with arms at 0, 80, 190 and 260 degrees, of any lengths: angles of 80, 110, 70 and
+ * 100 degrees. Opposite ones differ by 10, all by 40. Along u 190 degrees lie to the left and 170
+ * to the right: 10 out of straight; along v 180 on both sides. The tangents halve 0 and 10, and 80
+ * and 80 degrees: they cross at 75. */
 static void angles_of_a_star(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
@@ -39,8 +41,8 @@ static void angles_of_a_star(void **state) {
   assert_near(measured(f, &mesh, "orthogonality"), 15, 1e-12);
 }
 
-/* A helix on a cylinder is a geodesic although it is curved: a skew grid of unit circles rolled up stays straight when
- * rolled out, and keeps r cos(alpha). */
+/* A helix on a cylinder is a geodesic although it is curved: a skew grid of unit circles rolled up
+ * stays straight when rolled out, and keeps r cos(alpha). */
 static lam_vec3 helix(double i, double j) {
   return lam_v3(cos(.1 * i - .05 * j), sin(.1 * i - .05 * j), .07 * i + .1 * j);
 }
@@ -52,17 +54,19 @@ static void lines_on_a_cylinder(void **state) {
   lam_net net = net_built(f, &mesh);
   lam_measuring in = lam_measuring_of(f->arena, &net, mesh.vertices);
   in.axis = axis;
-  static const char *const names[] = {"straightness_u",   "straightness_v",   "clairaut_u",     "clairaut_v",
-                                      "geodesic_error_u", "geodesic_error_v", "opposite_angle", NULL};
+  static const char *const names[] = {
+      "straightness_u",   "straightness_v",   "clairaut_u",     "clairaut_v",
+      "geodesic_error_u", "geodesic_error_v", "opposite_angle", NULL};
   for (int i = 0; names[i]; i++) assert_near(summary(&in, names[i], NULL), 0, 2e-12);
   long count;
   summary(&in, "clairaut_u", &count);
   assert_int_equal(count, 7 * 5); /* inner vertices of inner lines */
 }
 
-/* The middle line of a flat 5 x 3 grid with its middle vertex moved sideways by h: it turns by a = atan h, 2 a, a.
- * Rolled out it is itself: h from its chord, over a length of 2 + 2 sqrt(1 + h^2). About an axis through (0, 0), r
- * cos(alpha) is the distance of the tangent: cos(a/2) - sin(a/2), 1 + h, cos(a/2) + 3 sin(a/2). */
+/* The middle line of a flat 5 x 3 grid with its middle vertex moved sideways by h: it turns by a =
+ * atan h, 2 a, a. Rolled out it is itself: h from its chord, over a length of 2 + 2 sqrt(1 + h^2).
+ * About an axis through (0, 0), r cos(alpha) is the distance of the tangent: cos(a/2) - sin(a/2), 1
+ * + h, cos(a/2) + 3 sin(a/2). */
 static void a_line_with_a_kink(void **state) {
   net_fixture *f = *state;
   double h = .1, a = atan(h);
@@ -80,28 +84,33 @@ static void a_line_with_a_kink(void **state) {
   assert_near(summary(&in, "clairaut_u", NULL), high - low, 1e-14);
 }
 
-static lam_vec3 widening(double i, double j) { return lam_v3(i + .5 * (i > 1.5) + .01 * i * j, j, 0); }
+static lam_vec3 widening(double i, double j) {
+  return lam_v3(i + .5 * (i > 1.5) + .01 * i * j, j, 0);
+}
 
-/* Edges along u between lines i and i + 1 are 1 + .01 j long, and 1.5 + .01 j between 1 and 2, j = 0 to 3. */
+/* Edges along u between lines i and i + 1 are 1 + .01 j long, and 1.5 + .01 j between 1 and 2, j =
+ * 0 to 3. */
 static void lengths_in_strips(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 4, 4, widening);
   assert_near(measured(f, &mesh, "edge_variation_u"), .03 / 1.015, 1e-14);
   assert_near(measured(f, &mesh, "spacing_u"), .5 * 3 / 3.5, 1e-14); /* the line j = 0: 1, 1.5, 1 */
   double edge = sqrt(1 + 9e-4); /* along v: sqrt(1 + (.01 i)^2) between all lines */
-  assert_near(measured(f, &mesh, "edge_variation_v"), (edge - 1) * 4 / (1 + edge + sqrt(1 + 1e-4) + sqrt(1 + 4e-4)),
-              1e-14);
+  assert_near(measured(f, &mesh, "edge_variation_v"),
+              (edge - 1) * 4 / (1 + edge + sqrt(1 + 1e-4) + sqrt(1 + 4e-4)), 1e-14);
   assert_near(measured(f, &mesh, "spacing_v"), 0, 1e-14);
   lam_mesh ring = net_torus(f->arena, 12, 8, 3, 1); /* closed ladders: every edge once */
   lam_net net = net_built(f, &ring);
   lam_measuring in = lam_measuring_of(f->arena, &net, ring.vertices);
   long count;
-  assert_near(summary(&in, "edge_variation_u", &count), 4 * sin(net_pi / 12) * 8 / (8 * 6 * sin(net_pi / 12)), 1e-13);
+  assert_near(summary(&in, "edge_variation_u", &count),
+              4 * sin(net_pi / 12) * 8 / (8 * 6 * sin(net_pi / 12)), 1e-13);
   assert_int_equal(count, 96);
   assert_near(summary(&in, "edge_variation_v", NULL), 0, 1e-13);
 }
 
-/* Stretched by 2 percent along u; sheared by 1/10: the right angle becomes 90 - atan(1/10), half of that is the shear.
+/* Stretched by 2 percent along u; sheared by 1/10: the right angle becomes 90 - atan(1/10), half of
+ * that is the shear.
  */
 static void strains(void **state) {
   net_fixture *f = *state;
@@ -113,7 +122,8 @@ static void strains(void **state) {
   for (int v = 0; v < 20; v++) after[v] = lam_v3(1.02 * mesh.vertices[v].x, mesh.vertices[v].y, 0);
   assert_near(summary(&in, "edge_strain", NULL), .02, 1e-14);
   assert_near(summary(&in, "shear_strain", NULL), 0, 1e-14);
-  for (int v = 0; v < 20; v++) after[v] = lam_v3(mesh.vertices[v].x + .1 * mesh.vertices[v].y, mesh.vertices[v].y, 0);
+  for (int v = 0; v < 20; v++)
+    after[v] = lam_v3(mesh.vertices[v].x + .1 * mesh.vertices[v].y, mesh.vertices[v].y, 0);
   assert_near(summary(&in, "edge_strain", NULL), sqrt(1.01) - 1, 1e-14);
   assert_near(summary(&in, "shear_strain", NULL), atan(.1) / 2, 1e-14);
 }

@@ -1,4 +1,5 @@
 /* Measures of spherical stars and of edges, where their values are known by hand. */
+#include "core/numbers.h"
 #include "net_fixture.h"
 
 static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *name) {
@@ -29,8 +30,9 @@ static void stars_on_a_sphere(void **state) {
   assert_near(measured(f, &mesh, "star_curvature").max, 1. / 3, 1e-13);
 }
 
-/* Arms of 1 in u rise by h, in v by g: inverted at the center they stand at h / (1 + h^2) and g / (1 + g^2), so the
- * sphere of best fit has the curvature k = h / (1 + h^2) + g / (1 + g^2) and its center on the axis. */
+/* Arms of 1 in u rise by h, in v by g: inverted at the center they stand at h / (1 + h^2) and g /
+ * (1 + g^2), so the sphere of best fit has the curvature k = h / (1 + h^2) + g / (1 + g^2) and its
+ * center on the axis. */
 static void a_star_off_its_sphere(void **state) {
   net_fixture *f = *state;
   double h = .3, g = -.1, k = h / (1 + h * h) + g / (1 + g * g);
@@ -45,7 +47,8 @@ static void a_star_off_its_sphere(void **state) {
 
 static void the_spread_of_a_cylinder_with_a_flat_end(void **state) {
   net_fixture *f = *state;
-  lam_mesh mesh = net_grid(f->arena, 5, 3, net_plane); /* stars at i = 1, 2, 3; only the last is bent */
+  lam_mesh mesh =
+      net_grid(f->arena, 5, 3, net_plane); /* stars at i = 1, 2, 3; only the last is bent */
   mesh.vertices[12].z = mesh.vertices[13].z = mesh.vertices[14].z = .2;
   lam_net net = net_built(f, &mesh);
   lam_measuring in = lam_measuring_of(f->arena, &net, mesh.vertices);
@@ -57,12 +60,12 @@ static void the_spread_of_a_cylinder_with_a_flat_end(void **state) {
   assert_true(k[0] == LAM_UNDEFINED);
 }
 
-/* Two great circles that cross at 60 degrees, with arms of unequal length: the circles through the points are the
- * great circles. The lines halfway between the edges are turned against them. */
+/* Two great circles that cross at 60 degrees, with arms of unequal length: the circles through the
+ * points are the great circles. The lines halfway between the edges are turned against them. */
 static void the_angle_of_two_great_circles(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
-  static const double along[2] = {0, 3.14159265358979323846 / 3};
+  static const double along[2] = {0, LAM_PI / 3};
   static const struct {
     int vertex, line;
     double arc;
@@ -85,7 +88,8 @@ static void sides_of_a_trapezoid(void **state) {
   const int *face = mesh.faces[0];
   const lam_vec3 corner[4] = {{0, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 1, 0}};
   for (int k = 0; k < 4; k++) mesh.vertices[face[k]] = corner[k];
-  double side[4] = {3, sqrt(2), 2, 1}, mean = (side[0] + side[1] + side[2] + side[3]) / 4, square = 0;
+  double side[4] = {3, sqrt(2), 2, 1}, mean = (side[0] + side[1] + side[2] + side[3]) / 4,
+         square = 0;
   for (int k = 0; k < 4; k++) square += (side[k] - mean) * (side[k] - mean) / 4;
   assert_near(measured(f, &mesh, "opposite_edge_difference").max, 1 / mean, 1e-15);
   assert_near(measured(f, &mesh, "edge_variation").max, sqrt(square) / mean, 1e-15);
@@ -93,8 +97,8 @@ static void sides_of_a_trapezoid(void **state) {
 
 static void not_a_number_is_not_hidden(void **state) {
   net_fixture *f = *state;
-  static const char *const names[] = {"star_sphericity", "star_curvature", "curvature_spread", "circle_angle_deviation",
-                                      "edge_variation"};
+  static const char *const names[] = {"star_sphericity", "star_curvature", "curvature_spread",
+                                      "circle_angle_deviation", "edge_variation"};
   for (int i = 0; i < 5; i++)
     for (int v = 1; v < 9; v += 2) { /* center's neighbors */
       lam_mesh mesh = net_grid(f->arena, 3, 3, on_sphere);

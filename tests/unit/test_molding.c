@@ -1,5 +1,5 @@
 /* Molding surfaces and isogonal molding nets: what their names promise, from positions alone. */
-#include "net/offset.h"
+#include "mesh/offset.h"
 #include "net/optimize.h"
 #include "net_fixture.h"
 
@@ -11,8 +11,8 @@ static lam_surface surface_of(net_fixture *f, const char *keys) {
 
 /* ---- the surface ---- */
 
-/* Profiles are congruent and lie in planes square to the trajectory: distances within a profile do not depend on u, and
- * the paths of all points are parallel. */
+/* Profiles are congruent and lie in planes square to the trajectory: distances within a profile do
+ * not depend on u, and the paths of all points are parallel. */
 static void profiles_are_congruent(void **state) {
   net_fixture *f = *state;
   lam_surface s = surface_of(f, "{}");
@@ -38,8 +38,8 @@ static void profiles_are_congruent(void **state) {
   }
 }
 
-/* The profile's own curvature is a principal curvature: a Bezier half-circle-like arch on a straight trajectory is a
- * cylinder. */
+/* The profile's own curvature is a principal curvature: a Bezier half-circle-like arch on a
+ * straight trajectory is a cylinder. */
 static void a_straight_trajectory_gives_a_cylinder(void **state) {
   net_fixture *f = *state;
   lam_surface s = surface_of(f, "{trajectory: [0, 0, 500, 0, 900, 0], unit: cm}");
@@ -69,7 +69,8 @@ static void wrong_curves_are_refused(void **state) {
     f->errors = (lam_errors){.arena = f->arena};
     surface_of(f, rows[i][0]);
     if (f->errors.count != 1 || !strstr(f->errors.first->text, rows[i][1]))
-      fail_msg("%s: %d errors, %s", rows[i][0], f->errors.count, f->errors.count ? f->errors.first->text : "");
+      fail_msg("%s: %d errors, %s", rows[i][0], f->errors.count,
+               f->errors.count ? f->errors.first->text : "");
   }
 }
 
@@ -102,7 +103,7 @@ static molding net_of(net_fixture *f, int n, int m, const char *keys) {
   lam_mesh mesh;
   molding result = {.n = n, .m = m};
   const int grid[2] = {n, m};
-  kind->start(f->arena, params, grid, (lam_place){0}, &f->errors, &mesh);
+  kind->start(f->arena, params, grid, (lam_location){0}, &f->errors, &mesh);
   net_no_errors(f, keys);
   result.net = net_built(f, &mesh);
   return result;
@@ -131,16 +132,16 @@ static void planar_conical_circular(void **state) {
   }
 }
 
-/* Lengths of the six connections among a vertex and its neighbors decide about the shape of a node; along the
- * trajectory nodes are congruent up to the lengths of its edges: the angles among the four edges agree. Across it they
- * differ. */
+/* Lengths of the six connections among a vertex and its neighbors decide about the shape of a node;
+ * along the trajectory nodes are congruent up to the lengths of its edges: the angles among the
+ * four edges agree. Across it they differ. */
 static void node_angles(const molding *s, int i, int j, double angles[6]) {
   const lam_star *star = &s->net.stars[s->net.star_of_vertex[i * (s->m + 1) + j]];
   const lam_vec3 *x = s->net.mesh.vertices;
   for (int a = 0, count = 0; a < 4; a++)
     for (int b = a + 1; b < 4; b++)
-      angles[count++] =
-          lam_angle(lam_sub(x[star->neighbor[a]], x[star->center]), lam_sub(x[star->neighbor[b]], x[star->center]));
+      angles[count++] = lam_angle(lam_sub(x[star->neighbor[a]], x[star->center]),
+                                  lam_sub(x[star->neighbor[b]], x[star->center]));
 }
 
 static void nodes_are_congruent_along_the_trajectory(void **state) {
@@ -160,8 +161,8 @@ static void nodes_are_congruent_along_the_trajectory(void **state) {
   assert_below(.1, across);
 }
 
-/* Faces are isosceles trapezoids whose parallel sides follow the trajectory; the trajectory has the lengths asked for,
- * and turns by 120 / 12 degrees at every vertex. */
+/* Faces are isosceles trapezoids whose parallel sides follow the trajectory; the trajectory has the
+ * lengths asked for, and turns by 120 / 12 degrees at every vertex. */
 static void faces_are_isosceles_trapezoids(void **state) {
   net_fixture *f = *state;
   molding s = net_of(f, 12, 4, even); /* as many points as the default profile lists: its corners */
@@ -172,7 +173,8 @@ static void faces_are_isosceles_trapezoids(void **state) {
     for (int j = 0; j < s.m; j++) {
       lam_vec3 a = x[i * 5 + j], b = x[i * 5 + 5 + j], c = x[i * 5 + 6 + j], d = x[i * 5 + 1 + j];
       assert_near(lam_distance(b, c), lam_distance(a, d), 1e-13);
-      assert_near(lam_length(lam_cross(lam_unit(lam_sub(b, a)), lam_unit(lam_sub(c, d)))), 0, 1e-13);
+      assert_near(lam_length(lam_cross(lam_unit(lam_sub(b, a)), lam_unit(lam_sub(c, d)))), 0,
+                  1e-13);
     }
     lam_vec3 edge = lam_sub(x[i * 5 + 7], x[i * 5 + 2]); /* a = 0: the trajectory itself */
     double at = 2. * i / 11, length = at < 1 ? 1 + at : 2 - .5 * (at - 1);
@@ -188,7 +190,8 @@ static void offsets_of_both_kinds(void **state) {
   const lam_vec3 *x = s.net.mesh.vertices;
   lam_vec3 *directions = LAM_NEW(f->arena, lam_vec3, s.net.mesh.vertex_count);
   assert_below(lam_net_mirrored_normals(f->arena, &s.net, x, directions), 1e-12);
-  for (int e = 0; e < s.net.edge_count; e++) assert_below(lam_net_edge_twist(&s.net, x, directions, e), 1e-12);
+  for (int e = 0; e < s.net.edge_count; e++)
+    assert_below(lam_net_edge_twist(&s.net, x, directions, e), 1e-12);
   assert_below(lam_net_cone_axes(f->arena, &s.net, x, directions), 1e-13);
   for (int e = 0; e < s.net.edge_count; e++) {
     const int *v = s.net.edges[e].vertex;
@@ -203,9 +206,12 @@ static void nothing_to_solve(void **state) {
   static const char *const rows[] = {even, s_shaped, uneven};
   for (int i = 0; i < 3; i++) {
     molding s = net_of(f, 12, 8, rows[i]);
-    const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, "isogonal-molding");
+    const lam_net_kind *kind =
+        (const lam_net_kind *)lam_registry_find(&lam_nets, "isogonal-molding");
     lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, "{grid: [12, 8]}");
-    lam_net_job job = {kind, net_params(f, kind->head.keys, kind->head.params_size, rows[i]), common, NULL, {0}, NULL};
+    lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, rows[i]),
+                       common, NULL,
+                       {0},    NULL};
     lam_net_result result;
     assert_true(lam_net_optimize(f->arena, &job, &s.net, &f->errors, &result));
     assert_true(result.converged);
@@ -230,7 +236,8 @@ static void wrong_nets_are_refused(void **state) {
     f->errors = (lam_errors){.arena = f->arena};
     void *params = net_params(f, kind->head.keys, kind->head.params_size, rows[i][0]);
     lam_mesh mesh;
-    bool made = kind->start(f->arena, params, (int[2]){12, 8}, (lam_place){0}, &f->errors, &mesh);
+    bool made =
+        kind->start(f->arena, params, (int[2]){12, 8}, (lam_location){0}, &f->errors, &mesh);
     if (made || f->errors.count < 1 || !strstr(f->errors.first->text, rows[i][1]))
       fail_msg("%s: %s", rows[i][0], f->errors.count ? f->errors.first->text : "accepted");
   }

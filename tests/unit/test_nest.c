@@ -1,9 +1,9 @@
 /* What sheets are made with: rectangles packed, polygons moved by the kerf. */
 #include "plane_grid.h"
 
-#include "fab/nest.h"
-#include "fab/offset.h"
-#include "fab/path.h"
+#include "fab/flat/nest.h"
+#include "fab/flat/path.h"
+#include "fab/flat/path_offset.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -23,13 +23,15 @@ static box bounds(const lam_path *paths, int count) {
 
 /* Distance between two boxes; negative when they overlap. */
 static double gap(box a, box b) {
-  return fmax(fmax(a.min.x - b.max.x, b.min.x - a.max.x), fmax(a.min.y - b.max.y, b.min.y - a.max.y));
+  return fmax(fmax(a.min.x - b.max.x, b.min.x - a.max.x),
+              fmax(a.min.y - b.max.y, b.min.y - a.max.y));
 }
 
 /* ---- nesting ---- */
 
-/* 400 rectangles of many sizes (a linear congruential generator, fixed seed): none overlaps another, none leaves its
- * sheet, and the sheets are at least as many as the area asks for and at most twice as many. */
+/* 400 rectangles of many sizes (a linear congruential generator, fixed seed): none overlaps
+ * another, none leaves its sheet, and the sheets are at least as many as the area asks for and at
+ * most twice as many. */
 static void rectangles_do_not_overlap(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -51,14 +53,16 @@ static void rectangles_do_not_overlap(void **state) {
     box a = {{items[i].x, items[i].y}, {items[i].x + items[i].width, items[i].y + items[i].height}};
     assert_true(a.min.x >= 0 && a.min.y >= 0 && a.max.x <= 2 + 1e-9 && a.max.y <= 1 + 1e-9);
     for (int k = 0; k < i; k++) {
-      box b = {{items[k].x, items[k].y}, {items[k].x + items[k].width, items[k].y + items[k].height}};
+      box b = {{items[k].x, items[k].y},
+               {items[k].x + items[k].width, items[k].y + items[k].height}};
       assert_true(items[k].sheet != items[i].sheet || gap(a, b) >= -1e-9);
     }
   }
   lam_arena_free(arena);
 }
 
-/* Strips that fill a sheet exactly need exactly that many sheets: 2 x 10 of 1 m x 0.1 m on 2 m x 1 m. */
+/* Strips that fill a sheet exactly need exactly that many sheets: 2 x 10 of 1 m x 0.1 m on 2 m x 1
+ * m. */
 static void full_sheets_are_filled(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -70,8 +74,8 @@ static void full_sheets_are_filled(void **state) {
 
 /* ---- kerf ---- */
 
-/* A comb of 100 x 20 mm with a slot of 2 mm moved outward by 0.1 mm: 100.2 x 20.2, slot 1.8; moved inward: the reverse.
- * A slot of 2 mm cannot take a kerf of 2.2 mm. */
+/* A comb of 100 x 20 mm with a slot of 2 mm moved outward by 0.1 mm: 100.2 x 20.2, slot 1.8; moved
+ * inward: the reverse. A slot of 2 mm cannot take a kerf of 2.2 mm. */
 static void offset_moves_every_side(void **state) {
   (void)state;
   const lam_vec2 comb[] = {{0, 0},        {0.1, 0},      {0.1, 0.02},   {0.051, 0.02},
@@ -86,13 +90,15 @@ static void offset_moves_every_side(void **state) {
     assert_int_equal(count, 8);
     assert_near(b.max.x - b.min.x, 0.1 + 2 * d, 2e-9);
     assert_near(b.max.y - b.min.y, 0.02 + 2 * d, 2e-9);
-    assert_near(lam_path_area(&path), (0.1 + 2 * d) * (0.02 + 2 * d) - (0.002 - 2 * d) * 0.01, 1e-9);
+    assert_near(lam_path_area(&path), (0.1 + 2 * d) * (0.02 + 2 * d) - (0.002 - 2 * d) * 0.01,
+                1e-9);
   }
   assert_int_equal(lam_offset_polygon(comb, 8, 1.1e-3, moved, &count), LAM_BAD_INPUT);
   assert_int_equal(lam_offset_polygon(comb, 8, -0.02, moved, &count), LAM_BAD_INPUT);
 }
 
-/* A hole for an M8 bolt keeps the area of its circle (pi/4 d^2), and loses the kerf from its diameter. */
+/* A hole for an M8 bolt keeps the area of its circle (pi/4 d^2), and loses the kerf from its
+ * diameter. */
 static void holes_shrink_by_the_kerf(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -101,7 +107,9 @@ static void holes_shrink_by_the_kerf(void **state) {
   assert_near(lam_path_area(&paths.items[0]), acos(-1) / 4 * 81e-6, 1e-12);
   lam_vec2 moved[LAM_OFFSET_ROOM(48)];
   int count;
-  assert_int_equal(lam_offset_polygon(paths.items[0].points, paths.items[0].count, -0.0001, moved, &count), LAM_OK);
+  assert_int_equal(
+      lam_offset_polygon(paths.items[0].points, paths.items[0].count, -0.0001, moved, &count),
+      LAM_OK);
   lam_path path = {LAM_LAYER_CUT, true, true, count, moved};
   box before = bounds(paths.items, 1), after = bounds(&path, 1);
   assert_near(before.max.x - before.min.x - (after.max.x - after.min.x), 0.0002, 1e-6);

@@ -2,7 +2,9 @@
 #include "net_fixture.h"
 #include <stdlib.h>
 
-static int valence(const lam_net *net, int v) { return net->ring_start[v + 1] - net->ring_start[v]; }
+static int valence(const lam_net *net, int v) {
+  return net->ring_start[v + 1] - net->ring_start[v];
+}
 
 static const lam_edge *edge_between(const lam_net *net, int a, int b) {
   for (int e = 0; e < net->edge_count; e++) {
@@ -24,13 +26,16 @@ static void check_edges(const lam_net *net) {
   for (int e = 0; e < net->edge_count; e++) {
     const lam_edge *edge = &net->edges[e];
     assert_true(face_runs(net, edge->face[0], edge->vertex[0], edge->vertex[1]));
-    assert_true(edge->face[1] < 0 || face_runs(net, edge->face[1], edge->vertex[1], edge->vertex[0]));
+    assert_true(edge->face[1] < 0 ||
+                face_runs(net, edge->face[1], edge->vertex[1], edge->vertex[0]));
     assert_true(edge->family == 0 || edge->family == 1);
-    if (edge->face[1] < 0) assert_true(net->boundary[edge->vertex[0]] && net->boundary[edge->vertex[1]]);
+    if (edge->face[1] < 0)
+      assert_true(net->boundary[edge->vertex[0]] && net->boundary[edge->vertex[1]]);
   }
 }
 
-/* Neighbors a, b that follow each other around v belong to one face, which runs v -> a and b -> v. */
+/* Neighbors a, b that follow each other around v belong to one face, which runs v -> a and b -> v.
+ */
 static void check_rings(const lam_net *net) {
   int sum = 0;
   for (int v = 0; v < net->mesh.vertex_count; v++) {
@@ -57,7 +62,8 @@ static void check_polylines(const lam_net *net) {
     const lam_polyline *line = &net->polylines[l];
     if (l) assert_true(line->family >= line[-1].family);
     for (int i = 0; i + 1 < line->count + line->closed; i++) {
-      const lam_edge *edge = edge_between(net, line->vertices[i], line->vertices[(i + 1) % line->count]);
+      const lam_edge *edge =
+          edge_between(net, line->vertices[i], line->vertices[(i + 1) % line->count]);
       seen[edge - net->edges]++;
       if (!net->family_conflicts) assert_int_equal(edge->family, line->family);
     }
@@ -66,11 +72,12 @@ static void check_polylines(const lam_net *net) {
   free(seen);
 }
 
-/* Stars are regular, counterclockwise, +-u of family 0, +-v of family 1, and opposite neighbors follow each other on a
- * line. */
+/* Stars are regular, counterclockwise, +-u of family 0, +-v of family 1, and opposite neighbors
+ * follow each other on a line. */
 static void check_stars(const lam_net *net) {
   int regular = 0;
-  for (int v = 0; v < net->mesh.vertex_count; v++) regular += !net->boundary[v] && valence(net, v) == 4;
+  for (int v = 0; v < net->mesh.vertex_count; v++)
+    regular += !net->boundary[v] && valence(net, v) == 4;
   assert_int_equal(net->star_count, regular);
   for (int s = 0; s < net->star_count; s++) {
     const lam_star *star = &net->stars[s];
@@ -81,7 +88,8 @@ static void check_stars(const lam_net *net) {
     while (turn < 3 && ring[turn] != star->neighbor[0]) turn++;
     for (int k = 0; k < 4; k++) {
       assert_int_equal(star->neighbor[k], ring[(turn + k) & 3]);
-      if (!net->family_conflicts) assert_int_equal(edge_between(net, star->center, star->neighbor[k])->family, k & 1);
+      if (!net->family_conflicts)
+        assert_int_equal(edge_between(net, star->center, star->neighbor[k])->family, k & 1);
     }
   }
 }
@@ -94,7 +102,8 @@ static void check_loops(const lam_net *net) {
     steps += loop->count;
     assert_int_equal(loop->family, -1);
     for (int i = 0; i < loop->count; i++) {
-      const lam_edge *edge = edge_between(net, loop->vertices[i], loop->vertices[(i + 1) % loop->count]);
+      const lam_edge *edge =
+          edge_between(net, loop->vertices[i], loop->vertices[(i + 1) % loop->count]);
       assert_int_equal(edge->vertex[0], loop->vertices[i]);
       assert_int_equal(edge->face[1], -1);
     }
@@ -112,11 +121,16 @@ static void check_net(net_fixture *f, const char *name, const lam_mesh *mesh, co
   lam_net net = net_built(f, mesh);
   int closed = 0;
   for (int l = 0; l < net.polyline_count; l++) closed += net.polylines[l].closed;
-  counts found = {
-      net.mesh.vertex_count,   net.edge_count,      net.mesh.face_count,
-      net.star_count,          net.polyline_count,  closed,
-      net.loop_count,          net.irregular_count, net.mesh.vertex_count - net.edge_count + net.mesh.face_count,
-      net.family_conflicts > 0};
+  counts found = {net.mesh.vertex_count,
+                  net.edge_count,
+                  net.mesh.face_count,
+                  net.star_count,
+                  net.polyline_count,
+                  closed,
+                  net.loop_count,
+                  net.irregular_count,
+                  net.mesh.vertex_count - net.edge_count + net.mesh.face_count,
+                  net.family_conflicts > 0};
   const int *a = &found.vertices, *b = &c.vertices;
   for (int i = 0; i < 9; i++)
     if (a[i] != b[i]) fail_msg("%s: count %d is %d, expected %d", name, i, a[i], b[i]);
@@ -128,7 +142,8 @@ static void check_net(net_fixture *f, const char *name, const lam_mesh *mesh, co
   check_loops(&net);
 }
 
-/* n x m vertices: open, n(m-1) + m(n-1) edges, n + m lines; closed along u, n m + n(m-1) edges; a torus, 2 n m edges.
+/* n x m vertices: open, n(m-1) + m(n-1) edges, n + m lines; closed along u, n m + n(m-1) edges; a
+ * torus, 2 n m edges.
  */
 static void grids_have_the_counts_of_grids(void **state) {
   net_fixture *f = *state;
@@ -138,14 +153,17 @@ static void grids_have_the_counts_of_grids(void **state) {
         bool u = closed & 1, v = closed & 2;
         if ((u && n < 3) || (v && m < 3)) continue;
         lam_mesh mesh = lam_mesh_grid(f->arena, n, m, u, v);
-        int rows = u ? n : n - 1, columns = v ? m : m - 1, inner_n = u ? n : n - 2, inner_m = v ? m : m - 2;
+        int rows = u ? n : n - 1, columns = v ? m : m - 1, inner_n = u ? n : n - 2,
+            inner_m = v ? m : m - 2;
         counts c = {n * m,
                     rows * m + n * columns,
                     rows * columns,
                     inner_n * inner_m,
                     n + m,
                     u * m + v * n,
-                    u && v ? 0 : u || v ? 2 : 1,
+                    u && v   ? 0
+                    : u || v ? 2
+                             : 1,
                     0,
                     u || v ? 0 : 1,
                     false};
@@ -153,8 +171,8 @@ static void grids_have_the_counts_of_grids(void **state) {
       }
 }
 
-/* Star (i, j) of a grid is (i+1, j), (i, j+1), (i-1, j), (i, j-1), around the seam too; line j of family 0 is (0, j),
- * (1, j) ... */
+/* Star (i, j) of a grid is (i+1, j), (i, j+1), (i-1, j), (i, j-1), around the seam too; line j of
+ * family 0 is (0, j), (1, j) ... */
 static void grids_keep_u_and_v(void **state) {
   net_fixture *f = *state;
   enum { n = 5, m = 4 };
@@ -163,20 +181,23 @@ static void grids_keep_u_and_v(void **state) {
     lam_net net = net_built(f, &mesh);
     for (int s = 0; s < net.star_count; s++) {
       int i = net.stars[s].center / m, j = net.stars[s].center % m;
-      int expected[4] = {(i + 1) % n * m + j, i * m + (j + 1) % m, (i + n - 1) % n * m + j, i * m + (j + m - 1) % m};
+      int expected[4] = {(i + 1) % n * m + j, i * m + (j + 1) % m, (i + n - 1) % n * m + j,
+                         i * m + (j + m - 1) % m};
       for (int k = 0; k < 4; k++) assert_int_equal(net.stars[s].neighbor[k], expected[k]);
     }
     for (int l = 0; l < net.polyline_count; l++) {
       int family = l >= m, start = family ? (l - m) * m : l, step = family ? 1 : m;
       assert_int_equal(net.polylines[l].family, family);
-      for (int i = 0; i < net.polylines[l].count; i++) assert_int_equal(net.polylines[l].vertices[i], start + i * step);
+      for (int i = 0; i < net.polylines[l].count; i++)
+        assert_int_equal(net.polylines[l].vertices[i], start + i * step);
     }
   }
 }
 
-/* The cube: three edges meet everywhere, so each is a line of its own and no two-coloring exists. Its subdivision: 12
- * lines over the old edges, 3 closed ones across. Monkey saddle of n rings: 6 n(n+1) + 1 vertices, 6 n lines around the
- * middle, 6 into it. Without the middle (one ring) the lines run on through the corners of the hole. */
+/* The cube: three edges meet everywhere, so each is a line of its own and no two-coloring exists.
+ * Its subdivision: 12 lines over the old edges, 3 closed ones across. Monkey saddle of n rings: 6
+ * n(n+1) + 1 vertices, 6 n lines around the middle, 6 into it. Without the middle (one ring) the
+ * lines run on through the corners of the hole. */
 static void irregular_meshes(void **state) {
   net_fixture *f = *state;
   lam_mesh cube = net_cube(f->arena), round = net_round_cube(f), monkey = net_monkey(f, 4, 0),
@@ -190,16 +211,18 @@ static void irregular_meshes(void **state) {
 /* Two grids in one mesh: nothing is lost, and the Euler numbers add up. */
 static void separate_pieces(void **state) {
   net_fixture *f = *state;
-  lam_mesh a = net_grid(f->arena, 3, 3, net_plane), both = {18, LAM_NEW(f->arena, lam_vec3, 18), 8, NULL};
+  lam_mesh a = net_grid(f->arena, 3, 3, net_plane),
+           both = {18, LAM_NEW(f->arena, lam_vec3, 18), 8, NULL};
   both.faces = (int(*)[4])lam_arena_alloc(f->arena, 8, sizeof *both.faces);
   for (int i = 0; i < 8; i++)
     for (int k = 0; k < 4; k++) both.faces[i][k] = a.faces[i % 4][k] + 9 * (i / 4);
-  for (int v = 0; v < 18; v++) both.vertices[v] = lam_add(a.vertices[v % 9], lam_v3(v >= 9 ? 5 : 0, 0, 0));
+  for (int v = 0; v < 18; v++)
+    both.vertices[v] = lam_add(a.vertices[v % 9], lam_v3(v >= 9 ? 5 : 0, 0, 0));
   check_net(f, "two grids", &both, (counts){18, 24, 8, 2, 12, 0, 2, 0, 2, false});
 }
 
-/* Every kind of mesh that is no net is refused with a message that says why. Vertices 0 to 7 of a cube, faces as
- * listed. */
+/* Every kind of mesh that is no net is refused with a message that says why. Vertices 0 to 7 of a
+ * cube, faces as listed. */
 static void wrong_meshes_are_refused(void **state) {
   net_fixture *f = *state;
   static const struct {
@@ -222,9 +245,9 @@ static void wrong_meshes_are_refused(void **state) {
     memcpy(mesh.faces, rows[i].corners, sizeof rows[i].corners);
     lam_errors errors = {.arena = f->arena};
     lam_net net;
-    assert_false(lam_net_build(f->arena, &mesh, (lam_place){"mesh.obj", 3, 0}, &errors, &net));
+    assert_false(lam_net_build(f->arena, &mesh, (lam_location){"mesh.obj", 3, 0}, &errors, &net));
     assert_int_equal(errors.count, 1);
-    assert_int_equal(errors.first->place.line, 3);
+    assert_int_equal(errors.first->location.line, 3);
     if (!strstr(errors.first->text, rows[i].why))
       fail_msg("\"%s\" does not say \"%s\"", errors.first->text, rows[i].why);
   }
@@ -236,14 +259,15 @@ static void a_pinched_vertex_is_refused(void **state) {
   lam_mesh cube = net_cube(f->arena), pair = {15, LAM_NEW(f->arena, lam_vec3, 15), 12, NULL};
   pair.faces = (int(*)[4])lam_arena_alloc(f->arena, 12, sizeof *pair.faces);
   for (int i = 0; i < 12; i++)
-    for (int k = 0; k < 4; k++) pair.faces[i][k] = i < 6 ? cube.faces[i][k] : cube.faces[i - 6][k] + 7;
+    for (int k = 0; k < 4; k++)
+      pair.faces[i][k] = i < 6 ? cube.faces[i][k] : cube.faces[i - 6][k] + 7;
   lam_net net;
-  assert_false(lam_net_build(f->arena, &pair, (lam_place){0}, &f->errors, &net));
+  assert_false(lam_net_build(f->arena, &pair, (lam_location){0}, &f->errors, &net));
   assert_non_null(strstr(f->errors.first->text, "vertex 8 do not form one fan"));
 }
 
-/* Plane: (0, 0, 1). Torus of 24 x 24: outwards, within the turn of one cell. A planar star in a tilted plane: its
- * normal to rounding. */
+/* Plane: (0, 0, 1). Torus of 24 x 24: outwards, within the turn of one cell. A planar star in a
+ * tilted plane: its normal to rounding. */
 static void normals_point_to_the_side_of_the_faces(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 4, 5, net_plane);
@@ -260,7 +284,8 @@ static void normals_point_to_the_side_of_the_faces(void **state) {
     lam_vec3 outwards = lam_sub(mesh.vertices[v], lam_v3(3 * cos(u), 3 * sin(u), 0));
     assert_below(lam_angle(normals[v], outwards), .05);
   }
-  lam_vec3 n = lam_unit(lam_v3(1, -2, 4)), a = lam_unit(lam_cross(n, lam_v3(0, 0, 1))), b = lam_cross(n, a);
+  lam_vec3 n = lam_unit(lam_v3(1, -2, 4)), a = lam_unit(lam_cross(n, lam_v3(0, 0, 1))),
+           b = lam_cross(n, a);
   mesh = net_grid(f->arena, 3, 3, net_plane);
   net = net_built(f, &mesh);
   for (int v = 0; v < 9; v++)

@@ -1,5 +1,6 @@
-/* Nets from starts that are noisy, coarse, fine, closed or held where they cannot be: every run ends converged, in a
- * degenerate state that has a name, or with a reason; and every vertex has a place. */
+/* Nets from starts that are noisy, coarse, fine, closed or held where they cannot be: every run
+ * ends converged, in a degenerate state that has a name, or with a reason; and every vertex has a
+ * place. */
 #include "net/optimize.h"
 #include "net_fixture.h"
 
@@ -15,13 +16,15 @@ static const char *const nets[][2] = {{"chebyshev", "{}"},
                                       {"k-net", "{}"}};
 enum { net_kinds = sizeof nets / sizeof *nets };
 
-static lam_net_result run(net_fixture *f, const lam_mesh *mesh, const char *const net_of[2], const char *keys,
-                          const char *what) {
+static lam_net_result run(net_fixture *f, const lam_mesh *mesh, const char *const net_of[2],
+                          const char *keys, const char *what) {
   lam_net net = net_built(f, mesh);
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, net_of[0]);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
   common->from.file = "test";
-  lam_net_job job = {kind, net_params(f, kind->head.keys, kind->head.params_size, net_of[1]), common, NULL, {0}, NULL};
+  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, net_of[1]),
+                     common, NULL,
+                     {0},    NULL};
   lam_net_result result;
   bool done = lam_net_optimize(f->arena, &job, &net, &f->errors, &result);
   net_no_errors(f, what);
@@ -31,26 +34,29 @@ static lam_net_result run(net_fixture *f, const lam_mesh *mesh, const char *cons
     placed &= isfinite(net.mesh.vertices[v].x + net.mesh.vertices[v].y + net.mesh.vertices[v].z);
   if (!placed) fail_msg("%s %s, %s: vertices without a place", net_of[0], net_of[1], what);
   assert_non_null(result.reason);
-  if (result.converged != (result.solution.converged && !result.degenerate) || (!result.converged && !*result.reason))
+  if (result.converged != (result.solution.converged && !result.degenerate) ||
+      (!result.converged && !*result.reason))
     fail_msg("%s %s, %s: %s", net_of[0], net_of[1], what, result.reason);
   if (result.solution.converged) assert_below(result.solution.residual, 1e-12);
   return result;
 }
 
 static void must_converge(const lam_net_result *result, int net, const char *what) {
-  if (!result->converged) fail_msg("%s %s, %s: %s", nets[net][0], nets[net][1], what, result->reason);
+  if (!result->converged)
+    fail_msg("%s %s, %s: %s", nets[net][0], nets[net][1], what, result->reason);
 }
 
 /* Meshes on which all of these nets exist near by, but for planar faces, which need K > 0. */
 static lam_mesh start_for(net_fixture *f, int net, int n, int m) {
-  if (strcmp(nets[net][0], "k-net") == 0) return net_sampled(f, "pseudosphere", "{}", LAM_CHART_ASYMPTOTIC, n, m, 0);
+  if (strcmp(nets[net][0], "k-net") == 0)
+    return net_sampled(f, "pseudosphere", "{}", LAM_CHART_ASYMPTOTIC, n, m, 0);
   return net_sampled(f, "unduloid", "{neck: 0.7}", LAM_CHART_DIAGONAL, n, m, 0);
 }
 
 static bool is_planar(int net) { return strstr(nets[net][1], "planar") != NULL; }
 
-/* A tenth of an edge is forgiven by all; a fifth leads some into folds or collapse, which have a name, but none to a
- * stall. */
+/* A tenth of an edge is forgiven by all; a fifth leads some into folds or collapse, which have a
+ * name, but none to a stall. */
 static void noise(void **state) {
   net_fixture *f = *state;
   static const double share[2] = {.1, .2};
@@ -82,11 +88,13 @@ static void coarse_and_fine(void **state) {
     }
 }
 
-/* The tube with a waist (K < 0) has no planar S-net, and its circles and meridians are far from any K-net; closed
- * surfaces have neither: K > 0 would need an umbilic-free sphere, K < 0 no closed surface has. */
+/* The tube with a waist (K < 0) has no planar S-net, and its circles and meridians are far from any
+ * K-net; closed surfaces have neither: K > 0 would need an umbilic-free sphere, K < 0 no closed
+ * surface has. */
 static void closed_nets(void **state) {
   net_fixture *f = *state;
-  lam_mesh meshes[3] = {net_tube(f->arena, 12, 8), net_torus(f->arena, 12, 9, 3, 1), net_round_cube(f)};
+  lam_mesh meshes[3] = {net_tube(f->arena, 12, 8), net_torus(f->arena, 12, 9, 3, 1),
+                        net_round_cube(f)};
   static const char *const names[3] = {"tube", "torus", "round cube"};
   for (int k = 0; k < net_kinds; k++)
     for (int i = 0; i < 3; i++) {
@@ -97,19 +105,21 @@ static void closed_nets(void **state) {
     }
 }
 
-/* The last two: opposite corners 18 m apart on a net of about 2 m, which edges of one length cannot follow; two
- * neighbors at one place, which nothing can. */
+/* The last two: opposite corners 18 m apart on a net of about 2 m, which edges of one length cannot
+ * follow; two neighbors at one place, which nothing can. */
 static void held_where_it_cannot_be(void **state) {
   net_fixture *f = *state;
-  static const char *const keys[] = {
-      "{boundary: fixed}", "{boundary: glide}",
-      "{handles: [{vertex: [0, -1], to: [9 m, 0 m, 0 m]}, {vertex: [24, -1], to: [-9 m, 0 m, 0 m]}]}",
-      "{handles: [{vertex: [40, -1], to: [0 m, 0 m, 5 m], steps: 3}, {vertex: [41, -1], to: [0 m, 0 m, 5 m], steps: "
-      "3}]}"};
+  static const char *const keys[] = {"{boundary: fixed}", "{boundary: glide}",
+                                     "{handles: [{vertex: [0, -1], to: [9 m, 0 m, 0 m]}, {vertex: "
+                                     "[24, -1], to: [-9 m, 0 m, 0 m]}]}",
+                                     "{handles: [{vertex: [40, -1], to: [0 m, 0 m, 5 m], steps: "
+                                     "3}, {vertex: [41, -1], to: [0 m, 0 m, 5 m], steps: "
+                                     "3}]}"};
   for (int k = 0; k < net_kinds; k++)
     for (int i = 0; i < 4; i++) {
       lam_mesh mesh = start_for(f, k, 8, 8);
-      lam_net_result result = run(f, &mesh, nets[k], keys[i], lam_arena_printf(f->arena, "held %d", i));
+      lam_net_result result =
+          run(f, &mesh, nets[k], keys[i], lam_arena_printf(f->arena, "held %d", i));
       bool rigid = strcmp(nets[k][0], "chebyshev") == 0 || strcmp(nets[k][0], "k-net") == 0;
       if (i == 3 || (i == 2 && rigid)) assert_false(result.converged);
     }

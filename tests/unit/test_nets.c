@@ -1,4 +1,5 @@
-/* Nets of the tables in tests/cases/nets (*.txt), solved and judged by measures that the solver does not know. */
+/* Nets of the tables in tests/cases/nets (*.txt), solved and judged by measures that the solver
+ * does not know. */
 #include "jet_fixture.h"
 #include "net/optimize.h"
 
@@ -27,10 +28,11 @@ static lam_list held(net_fixture *f, const lam_mesh *mesh, int n, const char *li
   return (lam_list){count, handles};
 }
 
-static solved solve(net_fixture *f, const char *name, const char *kind_name, const char *params, const char *keys,
-                    const char *hold) {
+static solved solve(net_fixture *f, const char *name, const char *kind_name, const char *params,
+                    const char *keys, const char *hold) {
   solved s = {.arena = f->arena};
-  lam_mesh mesh = net_obj(f->arena, lam_arena_printf(f->arena, "tests/cases/nets/%s_init.obj", name));
+  lam_mesh mesh =
+      net_obj(f->arena, lam_arena_printf(f->arena, "tests/cases/nets/%s_init.obj", name));
   s.net = net_built(f, &mesh);
   s.start = mesh.vertices;
   s.n = (int)lround(sqrt(mesh.vertex_count));
@@ -39,7 +41,9 @@ static solved solve(net_fixture *f, const char *name, const char *kind_name, con
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
   common->from.file = name;
   if (*hold) common->handles = held(f, &mesh, s.n, hold);
-  lam_net_job job = {kind, net_params(f, kind->head.keys, kind->head.params_size, params), common, NULL, {0}, NULL};
+  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, params),
+                     common, NULL,
+                     {0},    NULL};
   bool done = lam_net_optimize(f->arena, &job, &s.net, &f->errors, &s.result);
   net_no_errors(f, name);
   assert_true(done);
@@ -111,8 +115,8 @@ static double torsion_variation(const solved *s) {
     for (int e = 0; e < s->net.edge_count; e++) {
       int a = s->net.edges[e].vertex[0], b = s->net.edges[e].vertex[1];
       if (s->net.boundary[a] || s->net.boundary[b]) continue;
-      double torsion =
-          sin(lam_angle(s->normals[a], s->normals[b])) / lam_distance(s->net.mesh.vertices[a], s->net.mesh.vertices[b]);
+      double torsion = sin(lam_angle(s->normals[a], s->normals[b])) /
+                       lam_distance(s->net.mesh.vertices[a], s->net.mesh.vertices[b]);
       if (pass == 0)
         sum += torsion, count++;
       else
@@ -160,7 +164,8 @@ static void check_term(const solved *s, const char *name, const char *term) {
   double value, tolerance;
   if (sscanf(term, "%63[^<]<%lf", measure, &value) == 2) {
     double found = measured(s, measure);
-    if (!(found <= value)) fail_msg("%s: %s is %.6g, expected at most %g", name, measure, found, value);
+    if (!(found <= value))
+      fail_msg("%s: %s is %.6g, expected at most %g", name, measure, found, value);
   } else if (sscanf(term, "%63[^=]=%lf~%lf", measure, &value, &tolerance) == 3) {
     double found = measured(s, measure);
     if (!(fabs(found - value) <= tolerance))
@@ -217,9 +222,9 @@ static void a_dome_is_reported_as_flattened(void **state) {
   assert_non_null(strstr(s.result.reason, "flattened"));
 }
 
-/* Enneper's surface on finer and finer grids: the mean curvature of the solved net falls with the square of the edge,
- * so its limit is a minimal surface. The same vertices are compared: those of the coarse grid, four rows from its
- * border. */
+/* Enneper's surface on finer and finer grids: the mean curvature of the solved net falls with the
+ * square of the edge, so its limit is a minimal surface. The same vertices are compared: those of
+ * the coarse grid, four rows from its border. */
 static void mean_curvature_falls_with_the_square_of_the_edge(void **state) {
   net_fixture *f = *state;
   double before = 0;
@@ -243,7 +248,8 @@ static void mean_curvature_falls_with_the_square_of_the_edge(void **state) {
         worst = fmax(worst, fabs(k.H) / sqrt(fabs(k.K)));
       }
     if (before > 0 && !(worst < before / 3.5))
-      fail_msg("%d cells: |H| / sqrt|K| is %.3g, after %.3g on the coarser grid", cells, worst, before);
+      fail_msg("%d cells: |H| / sqrt|K| is %.3g, after %.3g on the coarser grid", cells, worst,
+               before);
     before = worst;
   }
   assert_below(before, 4e-4);

@@ -1,7 +1,7 @@
-/* Offsets of circular and conical nets, and Gauss images. Limits are ten times what reference solutions reached
- * (mirrored normals path-independent to 5e-12, vertex offset circular to 9e-13, axes coplanar to 3e-12, Gauss image
- * circular to 2e-10). */
-#include "net/offset.h"
+/* Offsets of circular and conical nets, and Gauss images. Limits are ten times what reference
+ * solutions reached (mirrored normals path-independent to 5e-12, vertex offset circular to 9e-13,
+ * axes coplanar to 3e-12, Gauss image circular to 2e-10). */
+#include "mesh/offset.h"
 #include "net/optimize.h"
 #include "net_fixture.h"
 
@@ -35,7 +35,8 @@ static void vertex_offset_of_a_circular_net(void **state) {
     lam_vec3 *smooth = LAM_NEW(f->arena, lam_vec3, n);
     assert_below(lam_net_mirrored_normals(f->arena, &net, x, normals), 5e-11);
     lam_net_normals(&net, x, smooth);
-    for (int v = 0; v < n; v++) { /* the normals of a curvature line net: near those of the surface */
+    for (int v = 0; v < n;
+         v++) { /* the normals of a curvature line net: near those of the surface */
       assert_near(lam_length(normals[v]), 1, 1e-14);
       assert_below(lam_angle(normals[v], smooth[v]), .3);
     }
@@ -45,7 +46,8 @@ static void vertex_offset_of_a_circular_net(void **state) {
       assert_below(worst(f, &net, y, "circularity"), 9e-12);
       for (int e = 0; e < net.edge_count; e++) {
         const int *v = net.edges[e].vertex;
-        lam_vec3 before = lam_unit(lam_sub(x[v[1]], x[v[0]])), after = lam_unit(lam_sub(y[v[1]], y[v[0]]));
+        lam_vec3 before = lam_unit(lam_sub(x[v[1]], x[v[0]])),
+                 after = lam_unit(lam_sub(y[v[1]], y[v[0]]));
         assert_below(lam_length(lam_cross(before, after)), 5e-11);
         assert_below(lam_net_edge_twist(&net, x, normals, e), 5e-11);
       }
@@ -60,7 +62,8 @@ static bool is_inner(const lam_net *net, int edge) {
   return !net->boundary[net->edges[edge].vertex[0]] && !net->boundary[net->edges[edge].vertex[1]];
 }
 
-/* Every face plane moves by exactly d; the offset is conical with the same axes; neighboring axes lie in a plane. */
+/* Every face plane moves by exactly d; the offset is conical with the same axes; neighboring axes
+ * lie in a plane. */
 static void face_offset_of_a_conical_net(void **state) {
   net_fixture *f = *state;
   for (int s = 0; s < 2; s++) {
@@ -97,10 +100,12 @@ static void gauss_image_of_a_conical_net(void **state) {
     int *vertex = LAM_NEW(f->arena, int, net.mesh.face_count);
     lam_vec3 *normals = LAM_NEW(f->arena, lam_vec3, net.mesh.face_count);
     lam_mesh image = lam_net_gauss_image(f->arena, &net, net.mesh.vertices, vertex);
-    assert_int_equal(image.vertex_count, 14 * 14); /* every face of 15 x 15 vertices is at an inner vertex */
+    assert_int_equal(image.vertex_count,
+                     14 * 14); /* every face of 15 x 15 vertices is at an inner vertex */
     assert_int_equal(image.face_count, 13 * 13);
     lam_net_face_normals(&net, net.mesh.vertices, normals);
-    for (int i = 0; i < net.mesh.face_count; i++) assert_true(lam_distance(image.vertices[vertex[i]], normals[i]) == 0);
+    for (int i = 0; i < net.mesh.face_count; i++)
+      assert_true(lam_distance(image.vertices[vertex[i]], normals[i]) == 0);
     lam_net dual = net_built(f, &image);
     assert_below(worst(f, &dual, image.vertices, "circularity"), 2e-9);
     /* four points of a sphere on a circle lie in a plane, too */
@@ -108,8 +113,8 @@ static void gauss_image_of_a_conical_net(void **state) {
   }
 }
 
-/* What is not a curvature line net has no such offsets: on the bump itself the normals depend on the way, no vertex is
- * the tip of a cone, and the Gauss image is not circular. */
+/* What is not a curvature line net has no such offsets: on the bump itself the normals depend on
+ * the way, no vertex is the tip of a cone, and the Gauss image is not circular. */
 static void other_nets_are_told_apart(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_obj(f->arena, starts[1]);
@@ -122,8 +127,8 @@ static void other_nets_are_told_apart(void **state) {
   assert_below(1e-2, worst(f, &dual, image.vertices, "circularity"));
 }
 
-/* A prism of n sides: at the mid ring, axes point outward and have the length 1 / cos(pi / n), the faces' distance
- * growing by
+/* A prism of n sides: at the mid ring, axes point outward and have the length 1 / cos(pi / n), the
+ * faces' distance growing by
  * 1. A plane: axes are its normal. Around a cube's corner: the diagonal (1, 1, 1). */
 static void axes_in_closed_form(void **state) {
   net_fixture *f = *state;
@@ -131,12 +136,14 @@ static void axes_in_closed_form(void **state) {
   lam_vec3 axes[4 * n];
   lam_mesh prism = lam_mesh_grid(f->arena, n, 3, true, false);
   for (int i = 0; i < n; i++)
-    for (int j = 0; j < 3; j++) prism.vertices[3 * i + j] = lam_v3(cos(2 * net_pi * i / n), sin(2 * net_pi * i / n), j);
+    for (int j = 0; j < 3; j++)
+      prism.vertices[3 * i + j] = lam_v3(cos(2 * net_pi * i / n), sin(2 * net_pi * i / n), j);
   lam_net net = net_built(f, &prism);
   assert_below(lam_net_cone_axes(f->arena, &net, prism.vertices, axes), 1e-15);
   for (int v = 0; v < 3 * n; v++) {
     lam_vec3 x = prism.vertices[v];
-    assert_near(lam_distance(axes[v], lam_scale(lam_v3(x.x, x.y, 0), 1 / cos(net_pi / n))), 0, 1e-14);
+    assert_near(lam_distance(axes[v], lam_scale(lam_v3(x.x, x.y, 0), 1 / cos(net_pi / n))), 0,
+                1e-14);
   }
   assert_below(lam_net_mirrored_normals(f->arena, &net, prism.vertices, axes), 1e-14);
   for (int v = 0; v < 3 * n; v++) {

@@ -1,5 +1,5 @@
 /* Solving under rough conditions: noise, handles, held boundaries, references, contradictions. */
-#include "core/mesh.h"
+#include "core/solid/triangles.h"
 #include "net/optimize.h"
 #include "net_fixture.h"
 
@@ -27,7 +27,7 @@ static outcome solve(net_fixture *f, const lam_mesh *mesh, int grid, setup s) {
                      net_params(f, kind->head.keys, kind->head.params_size, s.params),
                      common,
                      s.reference,
-                     (lam_place){"test", 1, 1},
+                     (lam_location){"test", 1, 1},
                      s.progress};
   if (!lam_net_optimize(f->arena, &job, &o.net, &f->errors, &o.result)) {
     assert_true(f->errors.count > 0);
@@ -56,7 +56,8 @@ static lam_mesh saddle(net_fixture *f, int cells) {
 
 static const char right[] = "{orthogonal: yes}";
 
-/* Noise of a tenth and a fifth of an edge, smoothed once: as many steps as from a bumpy start, no folds, no slivers. */
+/* Noise of a tenth and a fifth of an edge, smoothed once: as many steps as from a bumpy start, no
+ * folds, no slivers. */
 static void noisy_starts_converge(void **state) {
   net_fixture *f = *state;
   for (int seed = 1; seed <= 8; seed++)
@@ -64,19 +65,21 @@ static void noisy_starts_converge(void **state) {
       lam_mesh mesh = saddle(f, 16);
       lam_net net = net_built(f, &mesh);
       lam_mesh_perturb(&mesh, .1 * strength * lam_net_mean_edge(&net, mesh.vertices), seed);
-      outcome o = solve(f, &mesh, 16, (setup){"asymptotic", right, "{solver: {smooth: yes}}", NULL, NULL});
+      outcome o =
+          solve(f, &mesh, 16, (setup){"asymptotic", right, "{solver: {smooth: yes}}", NULL, NULL});
       assert_converged(&o, "noise");
       assert_below(o.result.solution.iterations, 8);
       assert_below(measure(&o, "star_planarity"), 1e-12);
       assert_near(measure(&o, "foldovers"), 0, 0);
       assert_true(measure(&o, "shortest_edge") > .5); /* .63 without noise */
       for (int i = 0; i < o.result.measure_count; i++)
-        if (strcmp(o.result.measures[i].name, "angle_deviation") == 0) assert_below(o.result.measures[i].max, 1e-9);
+        if (strcmp(o.result.measures[i].name, "angle_deviation") == 0)
+          assert_below(o.result.measures[i].max, 1e-9);
     }
 }
 
-/* Smoothing acts whatever the fairness of the net is about: the planar quads of an ellipsoid with noise keep longer
- * edges. */
+/* Smoothing acts whatever the fairness of the net is about: the planar quads of an ellipsoid with
+ * noise keep longer edges. */
 static void smoothing_helps_planar_quads(void **state) {
   net_fixture *f = *state;
   double shortest[2];
@@ -85,29 +88,35 @@ static void smoothing_helps_planar_quads(void **state) {
     lam_net net = net_built(f, &mesh);
     lam_mesh_perturb(&mesh, .1 * lam_net_mean_edge(&net, mesh.vertices), 1);
     outcome o =
-        solve(f, &mesh, 16, (setup){"planar-quads", "{}", smooth ? "{solver: {smooth: yes}}" : "{}", NULL, NULL});
+        solve(f, &mesh, 16,
+              (setup){"planar-quads", "{}", smooth ? "{solver: {smooth: yes}}" : "{}", NULL, NULL});
     assert_converged(&o, "planar quads");
     shortest[smooth] = measure(&o, "shortest_edge");
   }
   assert_true(shortest[1] > 1.5 * shortest[0]);
 }
 
-/* Handles that cannot be reached, wishes that contradict each other: a result with a reason, never NaN, within the
- * limit of steps. */
+/* Handles that cannot be reached, wishes that contradict each other: a result with a reason, never
+ * NaN, within the limit of steps. */
 static void contradictions_end_with_a_reason(void **state) {
   net_fixture *f = *state;
   static const char *const keys[] = {
       "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60}}",
       "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 100000 m]}], solver: {iterations: 60}}",
-      "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 1 m]}, {vertex: [8, 8], to: [0 m, 0 m, 2 m]}], solver: {iterations: "
+      "{handles: [{vertex: [8, 8], to: [0 m, 0 m, 1 m]}, {vertex: [8, 8], to: [0 m, 0 m, 2 m]}], "
+      "solver: {iterations: "
       "60}}",
-      "{constraints: [{kind: edge-length}], handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: "
+      "{constraints: [{kind: edge-length}], handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], "
+      "solver: {iterations: "
       "60}}",
-      "{boundary: fixed, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m], steps: 3}], solver: {iterations: 20}}",
-      "{boundary: glide, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: 60, fairness: 1}}",
+      "{boundary: fixed, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m], steps: 3}], solver: "
+      "{iterations: 20}}",
+      "{boundary: glide, handles: [{vertex: [8, 8], to: [0 m, 0 m, 10 m]}], solver: {iterations: "
+      "60, fairness: 1}}",
       "{constraints: [{kind: angle, angle: 60 deg}], solver: {iterations: 60}}",
       "{constraints: [{kind: edge-length, length: 1 mm}], solver: {iterations: 60}}",
-      "{boundary: fixed, constraints: [{kind: edge-length, length: 1000 m}], solver: {iterations: 60}}",
+      "{boundary: fixed, constraints: [{kind: edge-length, length: 1000 m}], solver: {iterations: "
+      "60}}",
   };
   for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
     lam_mesh mesh = saddle(f, 16);
@@ -124,7 +133,8 @@ static void handles_on_a_fixed_boundary_are_refused(void **state) {
   f->errors = (lam_errors){.arena = f->arena};
   lam_mesh mesh = saddle(f, 4);
   solve(f, &mesh, 4,
-        (setup){"asymptotic", right, "{boundary: fixed, handles: [{vertex: [0, 2], to: [0, 0, 0]}]}", NULL, NULL});
+        (setup){"asymptotic", right,
+                "{boundary: fixed, handles: [{vertex: [0, 2], to: [0, 0, 0]}]}", NULL, NULL});
   assert_int_equal(f->errors.count, 1);
   assert_non_null(strstr(f->errors.first->text, "lies on the boundary, which is fixed"));
 }
@@ -147,7 +157,8 @@ static void handles_are_reached(void **state) {
     assert_near(lam_distance(o.net.mesh.vertices[8 * 17 + 8], lam_v3(.1, 0, .3)), 0, 1e-12);
     assert_below(measure(&o, "star_planarity"), 1e-12);
     if (i == 0) first = o;
-    if (i == 1) assert_memory_equal(o.net.mesh.vertices, first.net.mesh.vertices, sizeof(lam_vec3) * 17 * 17);
+    if (i == 1)
+      assert_memory_equal(o.net.mesh.vertices, first.net.mesh.vertices, sizeof(lam_vec3) * 17 * 17);
     if (i == 2) assert_true(o.result.solution.iterations > first.result.solution.iterations);
   }
 }
@@ -155,8 +166,10 @@ static void handles_are_reached(void **state) {
 static void handles_that_are_not_there(void **state) {
   net_fixture *f = *state;
   static const char *const keys[] = {
-      "{handles: [{vertex: [5, 0], to: [0, 0, 0]}]}",   "{handles: [{vertex: [0, 5], to: [0, 0, 0]}]}",
-      "{handles: [{vertex: [25, -1], to: [0, 0, 0]}]}", "{handles: [{vertex: [-1, -1], to: [0, 0, 0]}]}",
+      "{handles: [{vertex: [5, 0], to: [0, 0, 0]}]}",
+      "{handles: [{vertex: [0, 5], to: [0, 0, 0]}]}",
+      "{handles: [{vertex: [25, -1], to: [0, 0, 0]}]}",
+      "{handles: [{vertex: [-1, -1], to: [0, 0, 0]}]}",
       "{handles: [{vertex: [-1, 3], to: [0, 0, 0]}]}",
   };
   for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
@@ -174,15 +187,16 @@ static double off_boundary(const outcome *o, lam_vec3 x) {
   for (int l = 0; l < o->net.loop_count; l++)
     for (int i = 0; i < o->net.loops[l].count; i++) {
       const int *v = o->net.loops[l].vertices;
-      lam_vec3 a = o->start.vertices[v[i]], d = lam_sub(o->start.vertices[v[(i + 1) % o->net.loops[l].count]], a);
+      lam_vec3 a = o->start.vertices[v[i]],
+               d = lam_sub(o->start.vertices[v[(i + 1) % o->net.loops[l].count]], a);
       double t = lam_dot(lam_sub(x, a), d) / lam_dot(d, d);
       nearest = fmin(nearest, lam_distance(x, lam_along(a, fmin(fmax(t, 0), 1), d)));
     }
   return nearest;
 }
 
-/* fixed: every boundary vertex stays. glide: it stays on the boundary curve of the start, corners stay, through several
- * solves too. */
+/* fixed: every boundary vertex stays. glide: it stays on the boundary curve of the start, corners
+ * stay, through several solves too. */
 static void boundaries_are_held(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_obj(f->arena, "tests/cases/nets/16_anet_schwarzD_from_hypar_init.obj");
@@ -195,11 +209,12 @@ static void boundaries_are_held(void **state) {
       {true, "{}", "{boundary: fixed, solver: {fairness: 0.1}}", 1e-14},
       {false, right, "{boundary: glide}", 1e-12},
       {false, right, "{boundary: glide, solver: {smooth: yes}}", 1e-12},
-      {true, "{}", "{boundary: glide, handles: [{vertex: [84, -1], to: [0 m, 0 m, 50 mm], steps: 4}]}", 1e-12},
+      {true, "{}",
+       "{boundary: glide, handles: [{vertex: [84, -1], to: [0 m, 0 m, 50 mm], steps: 4}]}", 1e-12},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    outcome o =
-        solve(f, rows[i].bent ? &bent : &mesh, 0, (setup){"asymptotic", rows[i].params, rows[i].keys, NULL, NULL});
+    outcome o = solve(f, rows[i].bent ? &bent : &mesh, 0,
+                      (setup){"asymptotic", rows[i].params, rows[i].keys, NULL, NULL});
     assert_converged(&o, rows[i].keys);
     double moved = 0, unit = lam_net_mean_edge(&o.net, o.start.vertices);
     for (int v = 0; v < o.start.vertex_count; v++) {
@@ -226,10 +241,13 @@ static void a_wish_alone_is_fulfilled(void **state) {
   outcome o = solve(f, &mesh, 0, (setup){"free", "{}", "{}", &reference, NULL});
   assert_converged(&o, "a plane");
   for (int v = 0; v < 25; v++)
-    assert_near(lam_distance(o.net.mesh.vertices[v], lam_v3(mesh.vertices[v].x, mesh.vertices[v].y, 0)), 0, 1e-11);
+    assert_near(
+        lam_distance(o.net.mesh.vertices[v], lam_v3(mesh.vertices[v].x, mesh.vertices[v].y, 0)), 0,
+        1e-11);
 }
 
-/* Enneper's surface, in its own parameters over [-2, 2]^2, scaled and with its height changed by bend x^2. */
+/* Enneper's surface, in its own parameters over [-2, 2]^2, scaled and with its height changed by
+ * bend x^2. */
 static lam_trimesh reference_of(net_fixture *f, double scale, double bend) {
   lam_row row = {.head = lam_registry_find(&lam_surfaces, "enneper")};
   row.params = net_params(f, row.head->keys, row.head->params_size, "{}");
@@ -237,7 +255,8 @@ static lam_trimesh reference_of(net_fixture *f, double scale, double bend) {
   lam_mesh mesh = lam_mesh_grid(f->arena, 61, 61, false, false);
   for (int i = 0; i < 61; i++)
     for (int j = 0; j < 61; j++) {
-      lam_vec3 x = lam_surface_point(&surface, LAM_CHART_NATURAL, 0, (i - 30) / 15., (j - 30) / 15.);
+      lam_vec3 x =
+          lam_surface_point(&surface, LAM_CHART_NATURAL, 0, (i - 30) / 15., (j - 30) / 15.);
       mesh.vertices[i * 61 + j] = lam_v3(scale * x.x, scale * x.y, scale * x.z + bend * x.x * x.x);
     }
   return lam_mesh_triangles(f->arena, &mesh);
@@ -256,9 +275,9 @@ static double farthest(const outcome *o, const lam_vec3 *positions, const lam_tr
   return most;
 }
 
-/* An asymptotic net near a mesh of triangles: on it when that is possible (a scaled minimal surface, angles free); when
- * it is not (right angles on a surface with H != 0), the constraints hold exactly and the net stays as near as half the
- * distance at the start. */
+/* An asymptotic net near a mesh of triangles: on it when that is possible (a scaled minimal
+ * surface, angles free); when it is not (right angles on a surface with H != 0), the constraints
+ * hold exactly and the net stays as near as half the distance at the start. */
 static void references_attract(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = saddle(f, 12);
@@ -277,7 +296,8 @@ static void references_attract(void **state) {
 
 static lam_vec3 twisted(double i, double j) { return lam_v3(i, j, i * j); }
 
-/* A strip without inner vertices whose boundary is fixed: nothing can move, which is success only if nothing has to. */
+/* A strip without inner vertices whose boundary is fixed: nothing can move, which is success only
+ * if nothing has to. */
 static void nothing_to_move(void **state) {
   net_fixture *f = *state;
   lam_mesh flat = net_grid(f->arena, 5, 2, net_plane), strip = net_grid(f->arena, 5, 2, twisted);
@@ -289,8 +309,8 @@ static void nothing_to_move(void **state) {
   assert_true(o.result.solution.residual > .1);
 }
 
-/* The middle of the monkey saddle has six neighbors: its star becomes planar, but it has no crossing angle and is
- * counted as left out. */
+/* The middle of the monkey saddle has six neighbors: its star becomes planar, but it has no
+ * crossing angle and is counted as left out. */
 static void irregular_vertices_take_part(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_monkey(f, 6, 0);
@@ -314,7 +334,8 @@ static void solving_does_not_depend_on_the_unit(void **state) {
   assert_converged(&a, "saddle");
   assert_int_equal(a.result.solution.iterations, b.result.solution.iterations);
   for (int v = 0; v < 81; v++)
-    assert_near(lam_distance(lam_scale(a.net.mesh.vertices[v], 1024), b.net.mesh.vertices[v]), 0, 1e-9);
+    assert_near(lam_distance(lam_scale(a.net.mesh.vertices[v], 1024), b.net.mesh.vertices[v]), 0,
+                1e-9);
   assert_memory_equal(a.net.mesh.vertices, again.net.mesh.vertices, sizeof(lam_vec3) * 81);
 }
 
@@ -329,7 +350,8 @@ static void limits_and_singular_starts(void **state) {
   lam_mesh mesh = saddle(f, 8), point = net_grid(f->arena, 4, 4, net_plane);
   int calls = 0;
   lam_progress progress = {count_calls, &calls};
-  outcome o = solve(f, &mesh, 8, (setup){"asymptotic", right, "{solver: {iterations: 1}}", NULL, &progress});
+  outcome o = solve(f, &mesh, 8,
+                    (setup){"asymptotic", right, "{solver: {iterations: 1}}", NULL, &progress});
   assert_false(o.result.converged);
   assert_int_equal(o.result.solution.iterations, 1);
   assert_int_equal(calls, 2);

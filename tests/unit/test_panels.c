@@ -1,18 +1,20 @@
 /* Panels: gap, thickness, flat patterns, twisted faces, patterns of faces, equal plates. */
 #include "fab_fixture.h"
 
-#include "core/mesh.h"
-#include "core/solid.h"
-#include "fab/panel.h"
-#include "fab/path.h"
+#include "core/solid/solid.h"
+#include "core/solid/triangles.h"
+#include "fab/flat/path.h"
+#include "fab/parts/panel.h"
 
 static const lam_panel_layer layer = {0, 0.02, 0.03, 1e-3}; /* 20 mm outward, 30 mm apart */
 
 static void assert_close(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance)) fail_msg("%.12g, expected %.12g +- %g", value, expected, tolerance);
+  if (!(fabs(value - expected) <= tolerance))
+    fail_msg("%.12g, expected %.12g +- %g", value, expected, tolerance);
 }
 
-/* A roof over [-1, 1]^2 that falls by `slope` to both sides of the ridge u = 0: all faces are flat. */
+/* A roof over [-1, 1]^2 that falls by `slope` to both sides of the ridge u = 0: all faces are flat.
+ */
 static double slope;
 static lam_vec3 roof(double u, double v) { return lam_v3(u, v, -slope * fabs(u)); }
 static lam_vec3 saddle(double u, double v) { return lam_v3(u, v, 0.2 * u * v); }
@@ -28,8 +30,8 @@ static lam_panel *make_panels(lam_arena *arena, const lam_mesh *mesh, const lam_
   return panels;
 }
 
-/* The least distance between the vertices of one solid and the surface of the other: walls of neighbors run along the
- * same edge, so the shortest way between two plates ends at a corner. */
+/* The least distance between the vertices of one solid and the surface of the other: walls of
+ * neighbors run along the same edge, so the shortest way between two plates ends at a corner. */
 static double distance_between(const lam_trimesh *a, const lam_trimesh *b) {
   double least = INFINITY;
   for (int turn = 0; turn < 2; turn++) {
@@ -56,8 +58,9 @@ static void assert_solid(const lam_trimesh *solid) {
   assert_true(facts.volume > 0);
 }
 
-/* Over a ridge, in a plane and in a valley, outward, centered, inward and off the net: plates on both sides of the fold
- * come exactly as close as the gap of 30 mm (2 x 1 faces, the fold between them). */
+/* Over a ridge, in a plane and in a valley, outward, centered, inward and off the net: plates on
+ * both sides of the fold come exactly as close as the gap of 30 mm (2 x 1 faces, the fold between
+ * them). */
 static void the_gap_is_the_same_at_every_fold(void **state) {
   const double slopes[] = {0.6, 0, -0.6, 0.05, -1.2}, lows[] = {0, -0.01, -0.02, 0.06, -0.09};
   for (size_t s = 0; s < sizeof slopes / sizeof *slopes; s++)
@@ -66,16 +69,17 @@ static void the_gap_is_the_same_at_every_fold(void **state) {
       slope = slopes[s];
       lam_mesh mesh = fixture_grid(*state, 3, 2, roof);
       lam_panel *panels = make_panels(*state, &mesh, &l);
-      lam_trimesh a = lam_panel_solid(*state, &panels[0], &l), b = lam_panel_solid(*state, &panels[1], &l);
+      lam_trimesh a = lam_panel_solid(*state, &panels[0], &l),
+                  b = lam_panel_solid(*state, &panels[1], &l);
       assert_solid(&a);
       assert_solid(&b);
       assert_close(distance_between(&a, &b), 0.03, 1e-12);
     }
 }
 
-/* In a plane grid of 4 x 4 faces of 0.5 m, edges inside the net lose half the gap and edges on its boundary nothing: a
- * corner plate is 0.485 m square, one in the middle 0.47 m. Volume: area times thickness. The two faces of the plate
- * are at 0 and 20 mm. */
+/* In a plane grid of 4 x 4 faces of 0.5 m, edges inside the net lose half the gap and edges on its
+ * boundary nothing: a corner plate is 0.485 m square, one in the middle 0.47 m. Volume: area times
+ * thickness. The two faces of the plate are at 0 and 20 mm. */
 static void plates_are_as_thick_and_large_as_they_must_be(void **state) {
   lam_mesh mesh = fixture_grid(*state, 5, 5, flat_square);
   lam_panel *panels = make_panels(*state, &mesh, &layer);
@@ -93,8 +97,9 @@ static void plates_are_as_thick_and_large_as_they_must_be(void **state) {
   }
 }
 
-/* The outline in the plane has the sides and diagonals of the panel in space, and its area times the thickness is the
- * volume of the solid; it runs counterclockwise. Marks are on LABEL and inside the bounds of the outline. */
+/* The outline in the plane has the sides and diagonals of the panel in space, and its area times
+ * the thickness is the volume of the solid; it runs counterclockwise. Marks are on LABEL and inside
+ * the bounds of the outline. */
 static void the_flat_pattern_is_the_plate(void **state) {
   slope = 0.7;
   lam_mesh mesh = fixture_grid(*state, 5, 4, roof);
@@ -109,13 +114,15 @@ static void the_flat_pattern_is_the_plate(void **state) {
     for (int i = 0; i < 4; i++)
       for (int j = 0; j < i; j++) {
         lam_vec2 a = outline->points[i], b = outline->points[j];
-        assert_close(hypot(a.x - b.x, a.y - b.y), lam_distance(panels[f].corner[i], panels[f].corner[j]), 1e-12);
+        assert_close(hypot(a.x - b.x, a.y - b.y),
+                     lam_distance(panels[f].corner[i], panels[f].corner[j]), 1e-12);
       }
     lam_trimesh solid = lam_panel_solid(*state, &panels[f], &layer);
     assert_close(lam_path_area(outline) * 0.02, lam_trimesh_volume(&solid), 1e-12);
     assert_close(flat->thickness, 0.02, 1e-15);
     assert_true(flat->path_count > 1);
-    for (int i = 1; i < flat->path_count; i++) assert_int_equal(flat->paths[i].layer, LAM_LAYER_LABEL);
+    for (int i = 1; i < flat->path_count; i++)
+      assert_int_equal(flat->paths[i].layer, LAM_LAYER_LABEL);
     lam_vec2 min, max;
     lam_paths_bounds(outline, 1, &min, &max);
     assert_close(flat->max.x - flat->min.x, max.x - min.x, 1e-12);
@@ -136,9 +143,10 @@ static panels_keys row_keys(int faces) {
   return (panels_keys){.thickness = 0.02, .gap = 0.03, .flat = 1e-3, .faces = faces};
 }
 
-/* z = 0.2 u v on [-1,1]^2 in 8 x 8 cells of side h = 1/4: every face is twisted, most in the middle, where its
- * diagonals (h, h, 0.2 h^2) from the origin and (-h, h, 0) from (h, 0, 0) pass at 0.1 h^2 / sqrt(1 + 2 (0.1 h)^2).
- * Panels 1 mm apart, whose boxes overlap, do not hit each other. */
+/* z = 0.2 u v on [-1,1]^2 in 8 x 8 cells of side h = 1/4: every face is twisted, most in the
+ * middle, where its diagonals (h, h, 0.2 h^2) from the origin and (-h, h, 0) from (h, 0, 0) pass at
+ * 0.1 h^2 / sqrt(1 + 2 (0.1 h)^2). Panels 1 mm apart, whose boxes overlap, do not hit each other.
+ */
 static void twisted_faces_are_solids_without_pattern(void **state) {
   lam_mesh mesh = fixture_grid(*state, 9, 9, saddle);
   lam_workshop shop = fixture_workshop(*state, &mesh);
@@ -153,14 +161,15 @@ static void twisted_faces_are_solids_without_pattern(void **state) {
     assert_int_equal(shop.parts[i].congruence, 0);
     assert_solid(&shop.parts[i].solid);
   }
-  assert_close(fixture_measure(&shop, "panels", "warp")->max, 6.25 / sqrt(1 + 2 * 0.025 * 0.025), 1e-9);
+  assert_close(fixture_measure(&shop, "panels", "warp")->max, 6.25 / sqrt(1 + 2 * 0.025 * 0.025),
+               1e-9);
   lam_workshop_clash(&shop);
   assert_close(fixture_measure(&shop, "clash", "clash_count")->max, 0, 0);
   assert_true(fixture_measure(&shop, "clash", "pairs_checked")->max > 50);
 }
 
-/* On 4 x 4 faces: a checkerboard has 8 of a color, and no two chosen faces share an edge; bands along family 0 are 4
- * faces long, every second one. With a second material all 16 are there. */
+/* On 4 x 4 faces: a checkerboard has 8 of a color, and no two chosen faces share an edge; bands
+ * along family 0 are 4 faces long, every second one. With a second material all 16 are there. */
 static void patterns_choose_faces(void **state) {
   const int expected[] = {16, 8, 8};
   for (int pattern = ALL; pattern <= BANDS_0; pattern++) {
@@ -187,8 +196,9 @@ static void patterns_choose_faces(void **state) {
   }
 }
 
-/* A plane grid of 4 x 4 squares has three kinds of plates: corners, sides and middles. Mass: the plane square of 2 m
- * less the gaps, 20 mm, density of the first material: (4 .485^2 + 8 .485 .47 + 4 .47^2) = (2 (.485 + .47))^2 m2. */
+/* A plane grid of 4 x 4 squares has three kinds of plates: corners, sides and middles. Mass: the
+ * plane square of 2 m less the gaps, 20 mm, density of the first material: (4 .485^2 + 8 .485 .47 +
+ * 4 .47^2) = (2 (.485 + .47))^2 m2. */
 static void equal_plates_and_mass(void **state) {
   lam_mesh mesh = fixture_grid(*state, 5, 5, flat_square);
   lam_workshop shop = fixture_workshop(*state, &mesh);
@@ -198,7 +208,8 @@ static void equal_plates_and_mass(void **state) {
   assert_close(fixture_measure(&shop, "panels", "panel_mass_sum")->max,
                pow(2 * (0.485 + 0.47), 2) * 0.02 * lam_materials[0].density, 1e-9);
   assert_int_equal(shop.parts[0].congruence, shop.parts[3].congruence);
-  assert_int_equal(shop.parts[1].congruence, shop.parts[4].congruence); /* one is the other turned */
+  assert_int_equal(shop.parts[1].congruence,
+                   shop.parts[4].congruence); /* one is the other turned */
   assert_true(shop.parts[0].congruence != shop.parts[1].congruence);
 }
 

@@ -1,5 +1,5 @@
 /* Points from text files. */
-#include "formats/points.h"
+#include "formats/mesh/points.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +24,8 @@ static int tear_down(void **state) {
 
 #define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
 
-/* The same two points (1.5, -2, 3e2) and (4, 5, 6) in the dialects of scanners, surveyors and spreadsheets. */
+/* The same two points (1.5, -2, 3e2) and (4, 5, 6) in the dialects of scanners, surveyors and
+ * spreadsheets. */
 static void test_dialects(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -40,9 +41,10 @@ static void test_dialects(void **state) {
     lam_errors errors = {.arena = arena};
     int count = 0;
     const lam_vec3 *points;
-    bool sound =
-        lam_points_parse(arena, texts[i], strlen(texts[i]), (lam_place){.file = "f"}, &errors, &count, &points);
-    if (!sound || count != 2) fail_msg("%s: %d points, %s", texts[i], count, errors.first ? errors.first->text : "");
+    bool sound = lam_points_parse(arena, texts[i], strlen(texts[i]), (lam_location){.file = "f"},
+                                  &errors, &count, &points);
+    if (!sound || count != 2)
+      fail_msg("%s: %d points, %s", texts[i], count, errors.first ? errors.first->text : "");
     assert_true(lam_distance(points[0], lam_v3(1.5, -2, 300)) == 0);
     assert_true(lam_distance(points[1], lam_v3(4, 5, 6)) == 0);
   }
@@ -69,9 +71,10 @@ static void test_refusals(void **state) {
     int count = 0;
     const lam_vec3 *points;
     const char *text = cases[i].text;
-    assert_false(lam_points_parse(arena, text, strlen(text), (lam_place){.file = "f"}, &errors, &count, &points));
+    assert_false(lam_points_parse(arena, text, strlen(text), (lam_location){.file = "f"}, &errors,
+                                  &count, &points));
     assert_int_equal(errors.count, 1);
-    assert_int_equal(errors.first->place.line, cases[i].line);
+    assert_int_equal(errors.first->location.line, cases[i].line);
     if (!strstr(errors.first->text, cases[i].part)) fail_msg("%s: %s", text, errors.first->text);
   }
 }

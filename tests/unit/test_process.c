@@ -1,5 +1,5 @@
-/* Outside programs: exit status, output, environment, folder, timeout, and the message when one is missing. The
- * programs are those that POSIX requires (sh, printf, pwd, sleep, cat). */
+/* Outside programs: exit status, output, environment, folder, timeout, and the message when one is
+ * missing. The programs are those that POSIX requires (sh, printf, pwd, sleep, cat). */
 #include "core/process.h"
 
 #include <setjmp.h>
@@ -67,9 +67,11 @@ static void arguments_are_never_seen_by_a_shell(void **state) {
 static void long_output_is_collected(void **state) {
   bench *b = *state;
   int code = -1;
-  assert_int_equal(run_script(b, "i=0; while [ $i -lt 30000 ]; do echo 123456789; i=$((i+1)); done; echo end >&2",
-                              (lam_process){0}, &code),
-                   LAM_OK);
+  assert_int_equal(
+      run_script(b,
+                 "i=0; while [ $i -lt 30000 ]; do echo 123456789; i=$((i+1)); done; echo end >&2",
+                 (lam_process){0}, &code),
+      LAM_OK);
   assert_int_equal(code, 0);
   assert_int_equal(b->output.length, 300000 + 4);
   assert_string_equal(b->output.data + 300000, "end\n");
@@ -115,7 +117,9 @@ static void input_is_empty(void **state) {
   bench *b = *state;
   const char *arguments[] = {"cat", NULL};
   int code = -1;
-  assert_int_equal(lam_process_run(&(lam_process){.arguments = arguments, .timeout = 20}, &code, &b->errors), LAM_OK);
+  assert_int_equal(
+      lam_process_run(&(lam_process){.arguments = arguments, .timeout = 20}, &code, &b->errors),
+      LAM_OK);
   assert_int_equal(code, 0);
 }
 
@@ -124,12 +128,14 @@ static void timeout_ends_the_program_and_its_children(void **state) {
   bench *b = *state;
   struct timespec from, to;
   clock_gettime(CLOCK_MONOTONIC, &from);
-  assert_int_equal(run_script(b, "sleep 50 & sleep 50", (lam_process){.timeout = 0.2}, NULL), LAM_FAILED);
+  assert_int_equal(run_script(b, "sleep 50 & sleep 50", (lam_process){.timeout = 0.2}, NULL),
+                   LAM_FAILED);
   clock_gettime(CLOCK_MONOTONIC, &to);
   assert_true(to.tv_sec - from.tv_sec < 20);
   assert_string_equal(b->errors.last->text, "sh: stopped after 0.2 s");
   /* closing the output is not ending */
-  assert_int_equal(run_script(b, "exec >&- 2>&-; sleep 50", (lam_process){.timeout = 0.2}, NULL), LAM_FAILED);
+  assert_int_equal(run_script(b, "exec >&- 2>&-; sleep 50", (lam_process){.timeout = 0.2}, NULL),
+                   LAM_FAILED);
 }
 
 static void missing_program_names_its_package(void **state) {
@@ -138,7 +144,8 @@ static void missing_program_names_its_package(void **state) {
   lam_process process = {.arguments = arguments, .package = "nowhere-pkg"};
   assert_int_equal(lam_process_run(&process, NULL, &b->errors), LAM_MISSING_PROGRAM);
   assert_int_equal(b->errors.count, 1);
-  assert_string_equal(b->errors.last->text, "no-such-program-here is not installed (Debian package nowhere-pkg)");
+  assert_string_equal(b->errors.last->text,
+                      "no-such-program-here is not installed (Debian package nowhere-pkg)");
   assert_false(lam_process_exists("no-such-program-here"));
   assert_false(lam_process_exists("/etc"));
   assert_false(lam_process_exists("/etc/passwd"));

@@ -18,15 +18,16 @@ static const lam_setting settings[2][2] = {
     {{"thickness", "Panel", NULL, "Thickness of the panel", .018, true},
      {"depth", "Joint", NULL, "Depth of the groove", .004, true}},
 };
-static const lam_record_kind kinds[] = {{"lamella", "lamella.scad", 2, columns, 2, settings[0]},
-                                        {"wall-panel", "scad/panel.scad", 2, columns, 2, settings[1]}};
+static const lam_record_kind kinds[] = {
+    {"lamella", "lamella.scad", 2, columns, 2, settings[0]},
+    {"wall-panel", "scad/panel.scad", 2, columns, 2, settings[1]}};
 
 typedef struct fixture {
   lam_vec3 points[4];
   int triangles[4][3];
   double values[4];
   lam_record record;
-  lam_frame frame;
+  lam_pose frame;
   lam_part parts[3];
   lam_model model;
 } fixture;
@@ -38,11 +39,16 @@ static void fill(fixture *f) {
                  .values = {1.2345678, -0.5, 0, 0.12345678}};
   lam_trimesh solid = {4, f->points, 4, f->triangles};
   f->record = (lam_record){"A01", 0, 2, 2, f->values};
-  f->frame = (lam_frame){{1, 2, 3}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
+  f->frame = (lam_pose){{1, 2, 3}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
   f->parts[0] = (lam_part){.name = "A01", .kind = "lamella", .solid = solid, .record = &f->record};
-  f->parts[1] = (lam_part){.name = "P1", .kind = "wall-panel", .family = -1, .solid = solid, .record = &f->record};
-  f->parts[2] = (lam_part){
-      .name = "pin \"8\"", .kind = "pin", .family = -1, .solid = solid, .instance_count = 1, .instances = &f->frame};
+  f->parts[1] = (lam_part){
+      .name = "P1", .kind = "wall-panel", .family = -1, .solid = solid, .record = &f->record};
+  f->parts[2] = (lam_part){.name = "pin \"8\"",
+                           .kind = "pin",
+                           .family = -1,
+                           .solid = solid,
+                           .instance_count = 1,
+                           .instances = &f->frame};
   f->model = (lam_model){.name = "thing",
                          .title = "Two\nlines",
                          .version = "0",
@@ -78,14 +84,15 @@ static void records_are_in_millimeters(void **state) {
 static void solids_are_turned_and_placed(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
-  CONTAINS(written(arena, 1),
-           "solids = [\n[\"pin \\\"8\\\"\", -1, [\n[0,0,0],[250,0,0],[0,500,0],[0,0,1000]], [\n"
-           "[0,1,2],[0,3,1],[1,3,2],[2,3,0]], [\n[[1000,2000,3000],[0,1,0],[-1,0,0],[0,0,1]]]],\n];");
+  CONTAINS(
+      written(arena, 1),
+      "solids = [\n[\"pin \\\"8\\\"\", -1, [\n[0,0,0],[250,0,0],[0,500,0],[0,0,1000]], [\n"
+      "[0,1,2],[0,3,1],[1,3,2],[2,3,0]], [\n[[1000,2000,3000],[0,1,0],[-1,0,0],[0,0,1]]]],\n];");
   lam_arena_free(arena);
 }
 
-/* OpenSCAD's Customizer reads literals up to the first brace: there is none in the main file. A setting whose name an
- * earlier kind has taken gets its kind in front, and groups are gathered. */
+/* OpenSCAD's Customizer reads literals up to the first brace: there is none in the main file. A
+ * setting whose name an earlier kind has taken gets its kind in front, and groups are gathered. */
 static void the_main_file_is_made_for_the_customizer(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
@@ -93,11 +100,14 @@ static void the_main_file_is_made_for_the_customizer(void **state) {
   assert_null(strchr(text, '{'));
   assert_ptr_equal(strstr(text, "// Two lines\n"), text);
   CONTAINS(text, "// Thickness of the sheet, mm\nthickness = 1.5; // [0.5:0.1:20]\n");
-  CONTAINS(text, "/* [Joint] */\n// 1: with slots\nslots = 1;\n// Depth of the groove, mm\ndepth = 4;\n");
+  CONTAINS(text,
+           "/* [Joint] */\n// 1: with slots\nslots = 1;\n// Depth of the groove, mm\ndepth = 4;\n");
   CONTAINS(text, "wall_panel_thickness = 18;");
-  CONTAINS(text, "lamella_solid(of_family(chosen(lamella_records, show, part), family), thickness = thickness, slots = "
+  CONTAINS(text, "lamella_solid(of_family(chosen(lamella_records, show, part), family), thickness "
+                 "= thickness, slots = "
                  "slots)");
-  CONTAINS(text, "panel_outlines(chosen(wall_panel_records, show, part), part_names, thickness = wall_panel_thickness, "
+  CONTAINS(text, "panel_outlines(chosen(wall_panel_records, show, part), part_names, thickness = "
+                 "wall_panel_thickness, "
                  "depth = depth)");
   CONTAINS(text, "include <thing_data.scad>\n");
   lam_arena_free(arena);

@@ -1,9 +1,11 @@
-/* Four curves as the sides of a surface: any order and direction, and what is said when they do not meet. */
+/* Four curves as the sides of a surface: any order and direction, and what is said when they do not
+ * meet. */
 #include "curve_fixture.h"
-#include "surf/sides.h"
+#include "surf/spline/sides.h"
 #include <string.h>
 
-/* The sides v=0, u=0, v=1, u=1 of a square of size 10, each bent differently: a curve can be told by its middle. */
+/* The sides v=0, u=0, v=1, u=1 of a square of size 10, each bent differently: a curve can be told
+ * by its middle. */
 static lam_sides square(void) {
   static const double quadratic[] = {0, 0, 0, 1, 1, 1}, cubic[] = {2, 2, 2, 2, 5, 5, 5, 5};
   static const double weights[] = {1, 3, 1}, equal[] = {2, 2, 2};
@@ -45,7 +47,8 @@ static void test_any_direction(void **state) {
   lam_sides given = square(), turned;
   for (int way = 0; way < 16; way++) {
     for (int i = 0; i < 4; i++)
-      turned.side[i] = way >> i & 1 ? lam_spline_curve_reverse(arena, given.side[i]) : given.side[i];
+      turned.side[i] =
+          way >> i & 1 ? lam_spline_curve_reverse(arena, given.side[i]) : given.side[i];
     memset(turned.across, 0, sizeof turned.across);
     lam_sides s = joined(&turned);
     check_square(&s);
@@ -57,7 +60,8 @@ static void test_any_direction(void **state) {
   }
 }
 
-/* Whatever comes first is v = 0; the next that touches it is u = 0. Every order gives sides that meet. */
+/* Whatever comes first is v = 0; the next that touches it is u = 0. Every order gives sides that
+ * meet. */
 static void test_any_order(void **state) {
   (void)state;
   lam_sides given = square();
@@ -78,18 +82,20 @@ static void test_any_order(void **state) {
     near3(middle(&s, 2), middle(&raw, opposite), 1e-14);
     near3(middle(&s, 3), middle(&raw, order[first] ^ 2), 1e-14);
     for (int u = 0; u < 2; u++)
-      for (int v = 0; v < 2; v++) near3(point_at(&s.side[2 * v], u), point_at(&s.side[2 * u + 1], v), 0);
+      for (int v = 0; v < 2; v++)
+        near3(point_at(&s.side[2 * v], u), point_at(&s.side[2 * u + 1], v), 0);
   }
   assert_int_equal(orders, 24);
 }
 
-/* Domains become [0,1], ends clamped; equal weights go; nearly equal knots of opposite sides become equal; derivatives
- * across turn with their side. */
+/* Domains become [0,1], ends clamped; equal weights go; nearly equal knots of opposite sides become
+ * equal; derivatives across turn with their side. */
 static void test_one_form(void **state) {
   (void)state;
   lam_sides given = square();
   const double a[] = {-1, -1, 0, 1, 2, 3, 3}, b[] = {0, 0, 0, 0.5 + 1e-14, 1, 1, 1};
-  const lam_vec3 bottom[] = {{-2, 0, 0}, {2, 0, 0}, {6, 0, 0}, {14, 0, 0}}; /* ends at (0,0,0) and (10,0,0) */
+  const lam_vec3 bottom[] = {
+      {-2, 0, 0}, {2, 0, 0}, {6, 0, 0}, {14, 0, 0}}; /* ends at (0,0,0) and (10,0,0) */
   const lam_vec3 top[] = {{10, 10, 0}, {8, 10, 3}, {1, 10, 4}, {0, 10, 0}};
   const double vectors[] = {0, 1, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0};
   given.side[0] = (lam_spline_curve){2, 4, a, bottom, NULL};
@@ -99,7 +105,8 @@ static void test_one_form(void **state) {
   for (int i = 0; i < 4; i++) {
     const lam_spline_curve *c = &s.side[i];
     assert_null(lam_spline_curve_problem(c));
-    for (int k = 0; k <= c->degree; k++) assert_true(c->knots[k] == 0 && c->knots[c->count + k] == 1);
+    for (int k = 0; k <= c->degree; k++)
+      assert_true(c->knots[k] == 0 && c->knots[c->count + k] == 1);
   }
   assert_null(s.side[3].weights);
   assert_true(s.side[0].knots[3] == s.side[2].knots[3]);
@@ -110,7 +117,8 @@ static void test_one_form(void **state) {
   assert_int_equal(s.across[0].count, 0);
 }
 
-/* An end that misses by .3 is named, with its distance; a miss by a hundred-millionth of the size is closed. */
+/* An end that misses by .3 is named, with its distance; a miss by a hundred-millionth of the size
+ * is closed. */
 static void test_gaps(void **state) {
   (void)state;
   lam_sides given = square(), sides;
@@ -134,7 +142,7 @@ static void test_gaps(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {TEST(test_any_direction), TEST(test_any_order), TEST(test_one_form),
-                                     TEST(test_gaps)};
+  const struct CMUnitTest tests[] = {TEST(test_any_direction), TEST(test_any_order),
+                                     TEST(test_one_form), TEST(test_gaps)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* Exact questions about meshes: measures, self-intersections, closest points, overlaps, distances. */
+/* Exact questions about meshes: measures, self-intersections, closest points, overlaps, distances.
+ */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -6,8 +7,8 @@
 
 #include <cmocka.h>
 
-#include "core/prism.h"
-#include "core/solid.h"
+#include "core/solid/prism.h"
+#include "core/solid/solid.h"
 #include "mesh_fixture.h"
 #include <stdlib.h>
 #include <time.h>
@@ -24,7 +25,7 @@ static lam_solid_facts measured(const lam_trimesh *mesh) {
   return facts;
 }
 
-static double overlap_of(const lam_trimesh *a, const lam_trimesh *b, const lam_frame *frame_b) {
+static double overlap_of(const lam_trimesh *a, const lam_trimesh *b, const lam_pose *frame_b) {
   lam_solid_set *set = lam_solid_set_new();
   double volume = -1, reversed = -1;
   assert_int_equal(lam_solid_set_add(set, a, NULL), 0);
@@ -50,7 +51,8 @@ static void a_box_is_measured(void **state) {
   assert_near(f.volume, 24, 1e-12);
   assert_near(f.area, 2 * (2 * 3 + 3 * 4 + 4 * 2), 1e-12);
   assert_near(lam_distance(f.centroid, lam_v3(2, 3.5, 5)), 0, 1e-12);
-  const double expected[6] = {24 * (9 + 16) / 12., 24 * (4 + 16) / 12., 24 * (4 + 9) / 12., 0, 0, 0};
+  const double expected[6] = {
+      24 * (9 + 16) / 12., 24 * (4 + 16) / 12., 24 * (4 + 9) / 12., 0, 0, 0};
   for (int i = 0; i < 6; i++) assert_near(f.inertia[i], expected[i], 1e-11);
   assert_near(lam_distance(f.min, lam_v3(1, 2, 3)), 0, 0);
   assert_near(lam_distance(f.max, lam_v3(3, 5, 7)), 0, 0);
@@ -60,15 +62,15 @@ static void a_box_is_measured(void **state) {
 static void products_of_inertia_are_entries_of_the_tensor(void **state) {
   lam_trimesh box = mesh_box(*state, lam_v3(0, 0, 0), lam_v3(2, 3, 4));
   double c = cos(mesh_pi / 6), s = sin(mesh_pi / 6);
-  lam_frame frame = {{5, 6, 7}, {{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
+  lam_pose frame = {{5, 6, 7}, {{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
   lam_trimesh turned = lam_trimesh_placed(*state, &box, &frame);
   lam_solid_facts f = measured(&turned);
   assert_near(f.inertia[3], (50 - 40) * s * c, 1e-10);
   assert_near(f.inertia[0], 50 * c * c + 40 * s * s, 1e-10);
 }
 
-/* Volume of a polygonal torus of revolution: the m-gon's area times the n-gon's perimeter of the swept centroid gives
- * V = (m/2) r^2 sin(2 pi/m) * n R sin(2 pi/n); Euler number 0. */
+/* Volume of a polygonal torus of revolution: the m-gon's area times the n-gon's perimeter of the
+ * swept centroid gives V = (m/2) r^2 sin(2 pi/m) * n R sin(2 pi/n); Euler number 0. */
 static void a_torus_has_genus_one(void **state) {
   lam_trimesh torus = mesh_torus(*state, 3, 1, 64, 48);
   lam_solid_facts f = measured(&torus);
@@ -131,8 +133,8 @@ static void touching_cubes_stay_two_components(void **state) {
   }
 }
 
-/* Cubes 0..2 and 1..3: three faces of each are cut, in six pairs of faces. Testing all pairs of triangles with rational
- * arithmetic (every edge of one against the other) gives 18. */
+/* Cubes 0..2 and 1..3: three faces of each are cut, in six pairs of faces. Testing all pairs of
+ * triangles with rational arithmetic (every edge of one against the other) gives 18. */
 static void self_intersections_are_found(void **state) {
   lam_trimesh a = mesh_cube(*state, 0, 0, 0, 2), b = mesh_cube(*state, 1, 1, 1, 2);
   lam_trimesh both = mesh_pair(*state, &a, &b);
@@ -190,8 +192,8 @@ static void closest_points_on_a_cube(void **state) {
     assert_near(lam_distance(foot, feet[i]), 0, 1e-15);
     assert_in_range(triangle, 0, 11);
     const int *t = cube.triangles[triangle]; /* the foot lies in the plane of that triangle */
-    lam_vec3 n =
-        lam_cross(lam_sub(cube.vertices[t[1]], cube.vertices[t[0]]), lam_sub(cube.vertices[t[2]], cube.vertices[t[0]]));
+    lam_vec3 n = lam_cross(lam_sub(cube.vertices[t[1]], cube.vertices[t[0]]),
+                           lam_sub(cube.vertices[t[2]], cube.vertices[t[0]]));
     assert_near(lam_dot(n, lam_sub(foot, cube.vertices[t[0]])), 0, 1e-15);
   }
   lam_tree_free(tree);
@@ -221,24 +223,27 @@ static void overlaps_of_two_cubes(void **state) {
     lam_trimesh a = mesh_cube(*state, 0, 0, 0, 2);
     lam_trimesh b = mesh_cube(*state, cases[i].x, cases[i].y, cases[i].z, cases[i].side);
     double volume = overlap_of(&a, &b, NULL);
-    if (fabs(volume - cases[i].volume) > (cases[i].volume > 0 ? 1e-14 : 0)) fail_msg("case %zu: %.17g", i, volume);
+    if (fabs(volume - cases[i].volume) > (cases[i].volume > 0 ? 1e-14 : 0))
+      fail_msg("case %zu: %.17g", i, volume);
     assert_int_equal(lam_prism_volume(&a, &b, &volume), LAM_OK);
-    if (fabs(volume - cases[i].volume) > 1e-14) fail_msg("case %zu by integration: %.17g", i, volume);
+    if (fabs(volume - cases[i].volume) > 1e-14)
+      fail_msg("case %zu by integration: %.17g", i, volume);
   }
 }
 
-/* A unit cube turned by 45 degrees about z and a square bar of the same height: the octagon common to both squares has
- * the area 2 sqrt(2) - 2 (a regular octagon of inradius 1/2). */
+/* A unit cube turned by 45 degrees about z and a square bar of the same height: the octagon common
+ * to both squares has the area 2 sqrt(2) - 2 (a regular octagon of inradius 1/2). */
 static void overlap_of_turned_cubes(void **state) {
   lam_trimesh cube = mesh_cube(*state, -0.5, -0.5, -0.5, 1);
   double c = sqrt(0.5);
-  lam_frame turned = {{0, 0, 0}, {{c, c, 0}, {-c, c, 0}, {0, 0, 1}}};
+  lam_pose turned = {{0, 0, 0}, {{c, c, 0}, {-c, c, 0}, {0, 0, 1}}};
   assert_near(overlap_of(&cube, &cube, &turned), 2 * sqrt(2) - 2, 1e-14);
-  lam_frame mirrored = {{0.5, 0, 0}, {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  lam_pose mirrored = {{0.5, 0, 0}, {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   assert_near(overlap_of(&cube, &cube, &mirrored), 0.5, 1e-14);
 }
 
-/* A hollow cube and a bar through its wall: only the wall counts. A bar inside the hollow: nothing. */
+/* A hollow cube and a bar through its wall: only the wall counts. A bar inside the hollow: nothing.
+ */
 static void cavities_are_empty(void **state) {
   lam_trimesh outer = mesh_cube(*state, 0, 0, 0, 3), inner = mesh_cube(*state, 1, 1, 1, 1);
   inner = mesh_inverted(*state, &inner);
@@ -249,46 +254,53 @@ static void cavities_are_empty(void **state) {
   assert_near(overlap_of(&shell, &small, NULL), 0, 0);
 }
 
-/* Two unit cubes with a common edge dip 0.25 into a plate: 2 x 0.25. The common volume is not a manifold there. */
+/* Two unit cubes with a common edge dip 0.25 into a plate: 2 x 0.25. The common volume is not a
+ * manifold there. */
 static void an_intersection_that_is_no_manifold(void **state) {
   lam_trimesh low = mesh_cube(*state, 0, 0, 0, 1), high = mesh_cube(*state, 1, 1, 0, 1);
   lam_trimesh steps = mesh_pair(*state, &low, &high); /* two cubes with a common edge */
   lam_trimesh plate = mesh_box(*state, lam_v3(-1, -1, -1), lam_v3(3, 3, 0.25));
   assert_near(overlap_of(&steps, &plate, NULL), 0.5, 1e-14);
-  /* One connected solid whose part below z = 1 is two cubes with a common edge: a cap joins them above. */
+  /* One connected solid whose part below z = 1 is two cubes with a common edge: a cap joins them
+   * above. */
   lam_trimesh cap = mesh_box(*state, lam_v3(0, 0, 1), lam_v3(2, 2, 2));
   lam_trimesh table = mesh_pair(*state, &steps, &cap); /* touching faces */
   assert_near(overlap_of(&table, &plate, NULL), 0.5, 1e-14);
 }
 
-/* Components that overlap count twice where they do: the cubes hold 8 + 8, and below z = 1.5 6 + 2. */
+/* Components that overlap count twice where they do: the cubes hold 8 + 8, and below z = 1.5 6 + 2.
+ */
 static void overlapping_components_count_twice(void **state) {
   lam_trimesh a = mesh_cube(*state, 0, 0, 0, 2), b = mesh_cube(*state, 1, 1, 1, 2);
   lam_trimesh both = mesh_pair(*state, &a, &b);
-  lam_trimesh around = mesh_cube(*state, -1, -1, -1, 6), half = mesh_box(*state, lam_v3(-1, -1, -1), lam_v3(4, 4, 1.5));
+  lam_trimesh around = mesh_cube(*state, -1, -1, -1, 6),
+              half = mesh_box(*state, lam_v3(-1, -1, -1), lam_v3(4, 4, 1.5));
   assert_near(overlap_of(&both, &around, NULL), 16, 1e-13);
   assert_near(overlap_of(&both, &half, NULL), 6 + 2, 1e-13);
 }
 
-/* A bar bent around a square until its end runs over its beginning: one component. In plan its four trapezoids have
- * the areas 2, 2, 2 and 3.5; a plate that reaches half its height of 1 covers 9.5 / 2, the doubled part counted twice.
- * Corefinement cannot answer this. */
+/* A bar bent around a square until its end runs over its beginning: one component. In plan its four
+ * trapezoids have the areas 2, 2, 2 and 3.5; a plate that reaches half its height of 1 covers 9.5 /
+ * 2, the doubled part counted twice. Corefinement cannot answer this. */
 static void a_component_that_cuts_itself_is_answered(void **state) {
-  static const double plan[5][4] = {{1, 1, 0, 0}, {2, 1, 3, 0}, {2, 2, 3, 3}, {1, 2, 0, 3}, {1, -1, 0, -1}};
+  static const double plan[5][4] = {
+      {1, 1, 0, 0}, {2, 1, 3, 0}, {2, 2, 3, 3}, {1, 2, 0, 3}, {1, -1, 0, -1}};
   lam_vec3 sections[5][4];
   for (int i = 0; i < 5; i++)
     for (int k = 0; k < 4; k++) {
       const double *p = k == 1 || k == 2 ? plan[i] : plan[i] + 2;
       sections[i][k] = lam_v3(p[0], p[1], k >= 2);
     }
-  lam_trimesh bar = mesh_tube(*state, 5, sections), plate = mesh_box(*state, lam_v3(-5, -5, -5), lam_v3(5, 5, 0.5));
+  lam_trimesh bar = mesh_tube(*state, 5, sections),
+              plate = mesh_box(*state, lam_v3(-5, -5, -5), lam_v3(5, 5, 0.5));
   assert_near(measured(&bar).volume, 9.5, 1e-13);
   assert_true(measured(&bar).self_intersections > 0);
   assert_near(overlap_of(&bar, &plate, NULL), 4.75, 1e-13);
 }
 
-/* Of a torus of 2 x 96 x 64 triangles (a large mesh, answered by integration) a box around the half x > 0 holds half
- * the volume, for the torus is symmetric. The whole volume comes from the divergence theorem. */
+/* Of a torus of 2 x 96 x 64 triangles (a large mesh, answered by integration) a box around the half
+ * x > 0 holds half the volume, for the torus is symmetric. The whole volume comes from the
+ * divergence theorem. */
 static void a_large_mesh_and_a_box(void **state) {
   lam_trimesh torus = mesh_torus(*state, 3, 1, 96, 64);
   double whole = measured(&torus).volume;
@@ -305,7 +317,7 @@ static void integration_agrees_with_corefinement(void **state) {
   lam_trimesh torus = mesh_torus(*state, 3, 1, 24, 16);
   for (int i = 0; i < 12; i++) {
     double s = sin(i), c = cos(i);
-    lam_frame frame = {{0.5 * i, 0.3 * c, 0.2 * s}, {{c, 0, s}, {0, 1, 0}, {-s, 0, c}}};
+    lam_pose frame = {{0.5 * i, 0.3 * c, 0.2 * s}, {{c, 0, s}, {0, 1, 0}, {-s, 0, c}}};
     lam_trimesh placed = lam_trimesh_placed(*state, &torus, &frame);
     double volume = -1;
     assert_int_equal(lam_prism_volume(&torus, &placed, &volume), LAM_OK);
@@ -330,8 +342,8 @@ static void candidates_are_the_pairs_with_common_boxes(void **state) {
   lam_solid_set_free(set);
 }
 
-/* A grid of 100 + 100 wavy strips of 1000 triangles, in two layers 2 mm apart: every pair of strips across is a
- * candidate by its boxes, and none overlaps. */
+/* A grid of 100 + 100 wavy strips of 1000 triangles, in two layers 2 mm apart: every pair of strips
+ * across is a candidate by its boxes, and none overlaps. */
 static lam_trimesh strip(lam_arena *arena, double offset, bool across, double level) {
   enum { n = 125 };
   lam_vec3 sections[n][4];
@@ -370,8 +382,8 @@ static void many_solids_are_checked_quickly(void **state) {
 
 /* ---- distances ---- */
 
-/* A unit cube and the same one moved by 0.1 along x: 0.1 both ways. With a point of one pulled out to a distance of 2,
- * only one direction sees it. */
+/* A unit cube and the same one moved by 0.1 along x: 0.1 both ways. With a point of one pulled out
+ * to a distance of 2, only one direction sees it. */
 static void hausdorff_distances(void **state) {
   lam_trimesh a = mesh_cube(*state, 0, 0, 0, 1), b = mesh_cube(*state, 0.1, 0, 0, 1);
   double ab = -1, ba = -1;
@@ -383,11 +395,13 @@ static void hausdorff_distances(void **state) {
   lam_trimesh slab = mesh_box(*state, lam_v3(0, 0, 0), lam_v3(1, 1, 0.5)); /* half of a */
   assert_int_equal(lam_solid_hausdorff(&a, &slab, 0.1, &ab, &ba), LAM_OK);
   assert_near(ab, 0.5, 1e-15);
-  assert_near(ba, 0.45, 0.05); /* the middle of the slab's top is .5 from a; samples are up to .1 apart */
+  assert_near(ba, 0.45,
+              0.05); /* the middle of the slab's top is .5 from a; samples are up to .1 apart */
   assert_int_equal(lam_solid_hausdorff(&a, &slab, 0, &ab, &ba), LAM_BAD_INPUT);
 }
 
-/* Every allocation from an arena fails once: the status says so, and nothing is lost or jumps through C++. */
+/* Every allocation from an arena fails once: the status says so, and nothing is lost or jumps
+ * through C++. */
 static void running_out_of_memory_is_a_status(void **state) {
   lam_trimesh a = mesh_cube(*state, 0, 0, 0, 2), b = mesh_cube(*state, 1, 1, 1, 2);
   int failures = 0;

@@ -1,5 +1,6 @@
-/* Nets of spherical stars: what their theory says about the surface, measured without the solver's equations. */
-#include "core/fit.h"
+/* Nets of spherical stars: what their theory says about the surface, measured without the solver's
+ * equations. */
+#include "core/numeric/fit.h"
 #include "jet_fixture.h"
 #include "net/optimize.h"
 
@@ -9,12 +10,15 @@ typedef struct solved {
   lam_net_result result;
 } solved;
 
-static solved solve(net_fixture *f, const lam_mesh *mesh, const char *kind_name, const char *params, const char *keys) {
+static solved solve(net_fixture *f, const lam_mesh *mesh, const char *kind_name, const char *params,
+                    const char *keys) {
   solved s = {.net = net_built(f, mesh), .start = mesh->vertices};
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kind_name);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
   common->from.file = "test";
-  lam_net_job job = {kind, net_params(f, kind->head.keys, kind->head.params_size, params), common, NULL, {0}, NULL};
+  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, params),
+                     common, NULL,
+                     {0},    NULL};
   bool done = lam_net_optimize(f->arena, &job, &s.net, &f->errors, &s.result);
   net_no_errors(f, kind_name);
   assert_true(done);
@@ -25,7 +29,8 @@ static solved solve(net_fixture *f, const lam_mesh *mesh, const char *kind_name,
 
 /* A mesh of the tables in meters of its own: 1 unit there is `unit` meters. */
 static lam_mesh case_mesh(net_fixture *f, const char *name, double unit) {
-  lam_mesh mesh = net_obj(f->arena, lam_arena_printf(f->arena, "tests/cases/nets/%s_init.obj", name));
+  lam_mesh mesh =
+      net_obj(f->arena, lam_arena_printf(f->arena, "tests/cases/nets/%s_init.obj", name));
   for (int v = 0; v < mesh.vertex_count; v++) mesh.vertices[v] = lam_scale(mesh.vertices[v], unit);
   return mesh;
 }
@@ -41,14 +46,16 @@ static void must_converge(const solved *s, const char *what) {
 /* ---- mean curvature ---- */
 
 /* Gradient of area and volume of the triangle v, a, b by v. */
-static void triangle_gradients(lam_vec3 v, lam_vec3 a, lam_vec3 b, double share, lam_vec3 *area, lam_vec3 *volume) {
+static void triangle_gradients(lam_vec3 v, lam_vec3 a, lam_vec3 b, double share, lam_vec3 *area,
+                               lam_vec3 *volume) {
   lam_vec3 n = lam_unit(lam_cross(lam_sub(a, v), lam_sub(b, v)));
   *area = lam_along(*area, share / 2, lam_cross(n, lam_sub(b, a)));
   *volume = lam_along(*volume, share / 6, lam_cross(lam_sub(a, v), lam_sub(b, v)));
 }
 
-/* H of the polyhedral surface, by the change of area over the change of volume as v moves along the normal: dA = 2 H
- * dV. Each quad counts half by either of its diagonals. Outward normals of a tube give a positive H. */
+/* H of the polyhedral surface, by the change of area over the change of volume as v moves along the
+ * normal: dA = 2 H dV. Each quad counts half by either of its diagonals. Outward normals of a tube
+ * give a positive H. */
 static double polyhedral_mean_curvature(const solved *s, int v) {
   const lam_mesh *mesh = &s->net.mesh;
   const lam_vec3 *x = mesh->vertices;
@@ -65,17 +72,20 @@ static double polyhedral_mean_curvature(const solved *s, int v) {
   return lam_dot(area, s->normals[v]) / lam_dot(volume, s->normals[v]) / 2;
 }
 
-/* The unduloid with bulge 1 and neck .3 / 1.7 has H = 1 / (1 + neck), normals outwards. Its diagonals on finer and
- * finer grids: the net of the radius -1/H has stars of just this radius, and the surface's mean curvature tends to H
- * with the square of the edge. Compared at the same vertices, an eighth of the net and more from the border. */
+/* The unduloid with bulge 1 and neck .3 / 1.7 has H = 1 / (1 + neck), normals outwards. Its
+ * diagonals on finer and finer grids: the net of the radius -1/H has stars of just this radius, and
+ * the surface's mean curvature tends to H with the square of the edge. Compared at the same
+ * vertices, an eighth of the net and more from the border. */
 static void mean_curvature_tends_to_the_radius(void **state) {
   net_fixture *f = *state;
   static const double limit[3] = {.03, .008, .002};
   double H = 1 / (1 + .17647), before[2] = {0, 0};
   for (int level = 0; level < 3; level++) {
     int cells = 12 << level, n = cells + 1;
-    lam_mesh mesh = net_sampled(f, "unduloid", "{neck: 0.17647}", LAM_CHART_DIAGONAL, cells, cells, 0);
-    solved s = solve(f, &mesh, "cmc", lam_arena_printf(f->arena, "{radius: -%.12f m}", 1 / H), "{}");
+    lam_mesh mesh =
+        net_sampled(f, "unduloid", "{neck: 0.17647}", LAM_CHART_DIAGONAL, cells, cells, 0);
+    solved s =
+        solve(f, &mesh, "cmc", lam_arena_printf(f->arena, "{radius: -%.12f m}", 1 / H), "{}");
     must_converge(&s, "unduloid");
     assert_near(1 / measured(f, &s, "star_curvature").mean, -1 / H, 1e-9);
     assert_below(measured(f, &s, "curvature_spread").max, 1e-10);
@@ -89,13 +99,15 @@ static void mean_curvature_tends_to_the_radius(void **state) {
       }
     assert_below(worst[0], limit[level]);
     for (int k = 0; level > 0 && k < 2; k++)
-      if (!(worst[k] < before[k] / 3)) fail_msg("%d cells: %g after %g", cells, worst[k], before[k]);
+      if (!(worst[k] < before[k] / 3))
+        fail_msg("%d cells: %g after %g", cells, worst[k], before[k]);
     memcpy(before, worst, sizeof worst);
   }
 }
 
-/* Closed rings of unduloid and nodoid, H = 1/2: the radius is 2 where it is given, and found within 1 % where it is
- * not; the polyhedral H is off by the polygons' error: rings of 16 vertices are 1/cos(pi/16)^2 = 4 % too narrow. */
+/* Closed rings of unduloid and nodoid, H = 1/2: the radius is 2 where it is given, and found within
+ * 1 % where it is not; the polyhedral H is off by the polygons' error: rings of 16 vertices are
+ * 1/cos(pi/16)^2 = 4 % too narrow. */
 static void rings_of_radius_two(void **state) {
   net_fixture *f = *state;
   static const struct {
@@ -109,7 +121,8 @@ static void rings_of_radius_two(void **state) {
     assert_near(1 / measured(f, &s, "star_curvature").max, 2, 1e-11);
     assert_near(1 / measured(f, &s, "star_curvature").mean, 2, 1e-11);
     double sum = 0;
-    for (int k = 0; k < s.net.star_count; k++) sum -= polyhedral_mean_curvature(&s, s.net.stars[k].center);
+    for (int k = 0; k < s.net.star_count; k++)
+      sum -= polyhedral_mean_curvature(&s, s.net.stars[k].center);
     assert_near(sum / s.net.star_count, .5, .02);
     solved free_radius = solve(f, &mesh, "cmc", "{}", "{}");
     must_converge(&free_radius, rows[i].name);
@@ -127,7 +140,8 @@ static void the_radius_has_a_sign(void **state) {
     other.faces[k][1] = other.faces[k][3];
     other.faces[k][3] = swap;
   }
-  solved s = solve(f, &mesh, "cmc", "{radius: 2 m}", "{}"), t = solve(f, &other, "cmc", "{radius: -2 m}", "{}");
+  solved s = solve(f, &mesh, "cmc", "{radius: 2 m}", "{}"),
+         t = solve(f, &other, "cmc", "{radius: -2 m}", "{}");
   must_converge(&s, "outside");
   must_converge(&t, "inside");
   assert_near(1 / measured(f, &t, "star_curvature").mean, -2, 1e-11);
@@ -145,7 +159,8 @@ static double smallest_eigenvalue(double a[6][6]) {
     for (int p = 0; p < 5; p++)
       for (int q = p + 1; q < 6; q++) {
         if (fabs(a[p][q]) < 1e-300) continue;
-        double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), t = copysign(1, theta) / (fabs(theta) + hypot(theta, 1));
+        double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]),
+               t = copysign(1, theta) / (fabs(theta) + hypot(theta, 1));
         double c = 1 / hypot(t, 1), s = t * c;
         for (int pass = 0; pass < 2; pass++)
           for (int k = 0; k < 6; k++) {
@@ -159,9 +174,9 @@ static double smallest_eigenvalue(double a[6][6]) {
   return least;
 }
 
-/* The normals of a surface of revolution meet its axis, those of a helical surface belong to a linear complex: a
- * combination of (n, x cross n) vanishes for all of them. Root mean square of the best combination, with x from the
- * middle of the net and in units of its radius of gyration. */
+/* The normals of a surface of revolution meet its axis, those of a helical surface belong to a
+ * linear complex: a combination of (n, x cross n) vanishes for all of them. Root mean square of the
+ * best combination, with x from the middle of the net and in units of its radius of gyration. */
 static double no_motion_keeps_it(const solved *s) {
   const lam_net *net = &s->net;
   lam_vec3 middle = {0, 0, 0};
@@ -174,7 +189,8 @@ static double no_motion_keeps_it(const solved *s) {
   }
   for (int k = 0; k < net->star_count; k++) {
     int v = net->stars[k].center;
-    lam_vec3 n = s->normals[v], m = lam_cross(lam_scale(lam_sub(net->mesh.vertices[v], middle), 1 / sqrt(square)), n);
+    lam_vec3 n = s->normals[v],
+             m = lam_cross(lam_scale(lam_sub(net->mesh.vertices[v], middle), 1 / sqrt(square)), n);
     double w[6] = {n.x, n.y, n.z, m.x, m.y, m.z};
     for (int i = 0; i < 6; i++)
       for (int j = 0; j < 6; j++) a[i][j] += w[i] * w[j] / net->star_count;
@@ -182,7 +198,8 @@ static double no_motion_keeps_it(const solved *s) {
   return sqrt(fmax(smallest_eigenvalue(a), 0));
 }
 
-/* The ring keeps its axis; the patch with pulled corners has none, though its mean curvature is as constant. */
+/* The ring keeps its axis; the patch with pulled corners has none, though its mean curvature is as
+ * constant. */
 static void constant_mean_curvature_without_rotation(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "05_cmc_unduloid", .1975708073255066);
@@ -208,8 +225,8 @@ typedef struct shape {
   double k1, k2;      /* |k1| >= |k2| */
 } shape;
 
-/* Principal curvatures and one direction: height over the tangent plane of the vertex normal fitted by a polynomial of
- * degree 4 as in jet_fixture.h, three times with the normal of the fit. */
+/* Principal curvatures and one direction: height over the tangent plane of the vertex normal fitted
+ * by a polynomial of degree 4 as in jet_fixture.h, three times with the normal of the fit. */
 static shape principal(const lam_vec3 *x, lam_vec3 n, int m, int i, int j) {
   int c = i * m + j;
   double scale = lam_distance(x[c], x[c + 1]), r = 0, s = 0, t = 0;
@@ -242,9 +259,10 @@ static shape principal(const lam_vec3 *x, lam_vec3 n, int m, int i, int j) {
                  (first ? mean - half : mean + half) / scale};
 }
 
-/* The angle between the line halfway between the families and the nearer principal direction, in degrees: the largest
- * and the mean, `rows` rows from the border. */
-static void off_symmetry(const solved *s, const lam_vec3 *x, int m, int rows, double *most, double *mean) {
+/* The angle between the line halfway between the families and the nearer principal direction, in
+ * degrees: the largest and the mean, `rows` rows from the border. */
+static void off_symmetry(const solved *s, const lam_vec3 *x, int m, int rows, double *most,
+                         double *mean) {
   double count = 0;
   *most = *mean = 0;
   for (int i = rows; i < m - rows; i++)
@@ -253,7 +271,8 @@ static void off_symmetry(const solved *s, const lam_vec3 *x, int m, int rows, do
       lam_vec3 u = lam_sub(lam_unit(lam_sub(x[c + m], x[c])), lam_unit(lam_sub(x[c - m], x[c])));
       lam_vec3 v = lam_sub(lam_unit(lam_sub(x[c + 1], x[c])), lam_unit(lam_sub(x[c - 1], x[c])));
       lam_vec3 halfway = lam_add(lam_unit(u), lam_unit(v));
-      double angle = lam_angle(halfway, principal(x, s->normals[c], m, i, j).principal) * 180 / net_pi;
+      double angle =
+          lam_angle(halfway, principal(x, s->normals[c], m, i, j).principal) * 180 / net_pi;
       angle = fmin(angle, 180 - angle);
       angle = fmin(angle, 90 - angle);
       *most = fmax(*most, angle);
@@ -263,8 +282,9 @@ static void off_symmetry(const solved *s, const lam_vec3 *x, int m, int rows, do
 }
 
 /* A height field on a grid turned by .3 against its principal directions: 35.04 degrees
- * off symmetry at most and 33.88 on average at the start, by an independent fit. A reference whose guide kept the net
- * twice as close to the start ended rippled, .85 degrees off at most and .14 on average; a smooth net does better. */
+ * off symmetry at most and 33.88 on average at the start, by an independent fit. A reference whose
+ * guide kept the net twice as close to the start ended rippled, .85 degrees off at most and .14 on
+ * average; a smooth net does better. */
 static void principal_directions_halve_the_angles(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "08_snet_principal_symmetric", 1);
@@ -279,8 +299,9 @@ static void principal_directions_halve_the_angles(void **state) {
   assert_below(mean, .02);
 }
 
-/* Planar faces and an angle of 75 degrees: k2 / k1 = tan^2(37.5 deg) = .5888 in the limit, .5925 +- .0014 on this grid
- * in the reference, which stays as close to the start; .414 +- .079 at the start. A smoother net comes nearer. */
+/* Planar faces and an angle of 75 degrees: k2 / k1 = tan^2(37.5 deg) = .5888 in the limit, .5925 +-
+ * .0014 on this grid in the reference, which stays as close to the start; .414 +- .079 at the
+ * start. A smoother net comes nearer. */
 static void planar_and_isogonal_fix_the_curvature_ratio(void **state) {
   net_fixture *f = *state;
   static const char *const keys[2] = {"{solver: {closeness: 0.3}}", "{}"};
@@ -315,11 +336,12 @@ static double largest_distance(const lam_net *a, const lam_net *b) {
 static lam_net stars_of_radius(net_fixture *f, const lam_mesh *mesh, double radius) {
   lam_net net = net_built(f, mesh);
   double unit = lam_net_mean_edge(&net, mesh->vertices);
-  for (int v = 0; v < mesh->vertex_count; v++) net.mesh.vertices[v] = lam_scale(net.mesh.vertices[v], 1 / unit);
+  for (int v = 0; v < mesh->vertex_count; v++)
+    net.mesh.vertices[v] = lam_scale(net.mesh.vertices[v], 1 / unit);
   lam_problem *problem = lam_problem_new(f->arena, mesh->vertex_count, net.mesh.vertices);
   lam_scope scope = {problem, &net, unit, NULL, NULL, &f->errors, 0};
   lam_spherical_star_params params = {.radius = radius};
-  lam_con_spherical_star.add(&scope, &params, 1, (lam_place){0});
+  lam_con_spherical_star.add(&scope, &params, 1, (lam_location){0});
   net_no_errors(f, "stars");
   lam_schedule schedule = lam_schedule_default();
   assert_true(lam_guided_solve(problem, &schedule, NULL).converged);
@@ -327,13 +349,15 @@ static lam_net stars_of_radius(net_fixture *f, const lam_mesh *mesh, double radi
   return net;
 }
 
-/* A saddle: spheres of infinite radius are planes, and give the asymptotic net from the same start up to the choice
- * among many (both move as little as they can). Spheres of radius r join it as 1/r. */
+/* A saddle: spheres of infinite radius are planes, and give the asymptotic net from the same start
+ * up to the choice among many (both move as little as they can). Spheres of radius r join it as
+ * 1/r. */
 static void spheres_of_infinite_radius_are_planes(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "12_anet_scherk", 1);
   lam_net flat = stars_of_radius(f, &mesh, INFINITY);
-  assert_below(lam_net_measure_one(f->arena, &flat, flat.mesh.vertices, "star_planarity").max, 1e-12);
+  assert_below(lam_net_measure_one(f->arena, &flat, flat.mesh.vertices, "star_planarity").max,
+               1e-12);
   solved asymptotic = solve(f, &mesh, "asymptotic", "{border: no}", "{}");
   must_converge(&asymptotic, "asymptotic");
   assert_below(largest_distance(&flat, &asymptotic.net), .2 * asymptotic.result.drift);
@@ -341,8 +365,10 @@ static void spheres_of_infinite_radius_are_planes(void **state) {
   for (double radius = 1e2; radius < 2e6; radius *= 10) {
     lam_net near = stars_of_radius(f, &mesh, radius), other = stars_of_radius(f, &mesh, -radius);
     double distance = largest_distance(&near, &flat);
-    assert_near(lam_net_measure_one(f->arena, &near, near.mesh.vertices, "star_curvature").mean, 1 / radius, 1e-12);
-    assert_near(lam_net_measure_one(f->arena, &other, other.mesh.vertices, "star_curvature").mean, -1 / radius, 1e-12);
+    assert_near(lam_net_measure_one(f->arena, &near, near.mesh.vertices, "star_curvature").mean,
+                1 / radius, 1e-12);
+    assert_near(lam_net_measure_one(f->arena, &other, other.mesh.vertices, "star_curvature").mean,
+                -1 / radius, 1e-12);
     if (before > 0) assert_near(before / distance, 10, 2);
     before = distance;
   }
@@ -350,12 +376,14 @@ static void spheres_of_infinite_radius_are_planes(void **state) {
 
 /* ---- wrong input ---- */
 
-static void complains(net_fixture *f, const lam_mesh *mesh, const char *kind_name, const char *params,
-                      const char *says) {
+static void complains(net_fixture *f, const lam_mesh *mesh, const char *kind_name,
+                      const char *params, const char *says) {
   lam_net net = net_built(f, mesh);
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kind_name);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, "{}");
-  lam_net_job job = {kind, net_params(f, kind->head.keys, kind->head.params_size, params), common, NULL, {0}, NULL};
+  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, params),
+                     common, NULL,
+                     {0},    NULL};
   lam_net_result result;
   int before = f->errors.count;
   assert_false(lam_net_optimize(f->arena, &job, &net, &f->errors, &result));

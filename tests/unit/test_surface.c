@@ -1,4 +1,5 @@
 /* Every listed surface: derivatives, its keys, and what each kind promises about positions. */
+#include "core/numbers.h"
 #include "surf/elliptic.h"
 #include "tests/unit/surface_fixture.h"
 
@@ -36,11 +37,13 @@ static void check_all_derivatives(lam_fixture *f, const lam_surface *s) {
     check_derivatives(s, next_in(f, p), next_in(f, q), 2e-3 * (p[1] - p[0]), 2e-3 * (q[1] - q[0]));
 }
 
-/* Derivatives of every surface with its defaults against differences of the positions and first derivatives. */
+/* Derivatives of every surface with its defaults against differences of the positions and first
+ * derivatives. */
 static void test_derivatives(void **state) {
   lam_fixture *f = *state;
   for (int i = 0; i < lam_surfaces.count; i++) {
-    const char *name = lam_surfaces.rows[i]->name; /* differences across a knot see the jump of third derivatives */
+    const char *name = lam_surfaces.rows[i]
+                           ->name; /* differences across a knot see the jump of third derivatives */
     lam_surface s = made(f, name, strcmp(name, "least-area") == 0 ? "spans: 1" : "");
     check_all_derivatives(f, &s);
   }
@@ -60,12 +63,14 @@ static void test_derivatives_of_variants(void **state) {
       {"ellipsoid", "axes: [1, 3, 2]"},
       {"constant-ratio", "angle: 35 deg"},
       {"constant-ratio", "angle: 140 deg"},
-      {"monge", "{xy: 0.3, x3: 1, x2y: 0.2, xy2: -3, y3: 0.1, x4: 0.2, x3y: -0.4, x2y2: 0.3, xy3: 0.6, y4: -0.5}"},
+      {"monge", "{xy: 0.3, x3: 1, x2y: 0.2, xy2: -3, y3: 0.1, x4: 0.2, x3y: -0.4, x2y2: 0.3, xy3: "
+                "0.6, y4: -0.5}"},
       {"revolution", "{profile: [0, 0, 1, 0.5, 1.4, 2], unit: cm}"},
-      {"bezier",
-       "{count: [2, 3], points: [0,0,0, 0,1,1, 0,2,0, 1,0,1, 1,1,0, 1,2,2], weights: [1,2,1, 1,3,1], unit: mm}"},
-      {"nurbs", "{degree: [1, 2], count: [2, 3], knots_v: [0, 1, 2, 3, 4, 5], weights: [1, 2, 1, 1, 3, 1],"
-                " points: [0,0,0, 0,1,1, 0,2,0, 1,0,1, 1,1,0, 1,2,2]}"},
+      {"bezier", "{count: [2, 3], points: [0,0,0, 0,1,1, 0,2,0, 1,0,1, 1,1,0, 1,2,2], weights: "
+                 "[1,2,1, 1,3,1], unit: mm}"},
+      {"nurbs",
+       "{degree: [1, 2], count: [2, 3], knots_v: [0, 1, 2, 3, 4, 5], weights: [1, 2, 1, 1, 3, 1],"
+       " points: [0,0,0, 0,1,1, 0,2,0, 1,0,1, 1,1,0, 1,2,2]}"},
   };
   for (size_t i = 0; i < sizeof variants / sizeof variants[0]; i++) {
     lam_surface s = made(f, variants[i][0], variants[i][1]);
@@ -73,32 +78,39 @@ static void test_derivatives_of_variants(void **state) {
   }
 }
 
-/* For angle 60 deg, a = 3: dz/dv = cosh(3v)^(-2/3). Expected heights from a composite Simpson rule with 2^16 steps,
- * inside the table and beyond it; for 90 deg the catenoid, z = v. */
+/* For angle 60 deg, a = 3: dz/dv = cosh(3v)^(-2/3). Expected heights from a composite Simpson rule
+ * with 2^16 steps, inside the table and beyond it; for 90 deg the catenoid, z = v. */
 static void test_constant_ratio_height(void **state) {
   lam_fixture *f = *state;
-  lam_surface s = made(f, "constant-ratio", ""), catenoid = made(f, "constant-ratio", "angle: 90 deg");
+  lam_surface s = made(f, "constant-ratio", ""),
+              catenoid = made(f, "constant-ratio", "angle: 90 deg");
   const double places[] = {0.05, -0.7, 3, 15, -40};
   for (int i = 0; i < 5; i++) {
     int steps = 1 << 16;
     double v = places[i], h = v / steps, sum = 0;
-    for (int k = 0; k <= steps; k++) sum += (k == 0 || k == steps ? 1 : k % 2 ? 4 : 2) * pow(cosh(3 * k * h), -2.0 / 3);
-    assert_near(lam_surface_point(&s, LAM_CHART_NATURAL, 0, 1, v).z, sum * h / 3, 1e-12, "constant-ratio", "z", 1, v);
-    assert_near(lam_surface_point(&catenoid, LAM_CHART_NATURAL, 0, 1, v).z, v, 1e-13 * fabs(v), "catenoid", "z", 1, v);
+    for (int k = 0; k <= steps; k++)
+      sum += (k == 0 || k == steps ? 1 : k % 2 ? 4 : 2) * pow(cosh(3 * k * h), -2.0 / 3);
+    assert_near(lam_surface_point(&s, LAM_CHART_NATURAL, 0, 1, v).z, sum * h / 3, 1e-12,
+                "constant-ratio", "z", 1, v);
+    assert_near(lam_surface_point(&catenoid, LAM_CHART_NATURAL, 0, 1, v).z, v, 1e-13 * fabs(v),
+                "catenoid", "z", 1, v);
   }
 }
 
-/* A rational quadratic by linear NURBS patch with the weights of a quarter circle is a cylinder of radius 1; the closed
- * nine-point circle closes up. */
+/* A rational quadratic by linear NURBS patch with the weights of a quarter circle is a cylinder of
+ * radius 1; the closed nine-point circle closes up. */
 static void test_nurbs_cylinder(void **state) {
   lam_fixture *f = *state;
   lam_surface s =
       made(f, "nurbs",
            "degree: [2, 1]\ncount: [9, 2]\nknots_u: [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4]\n"
-           "points: [1,0,0, 1,0,2, 1,1,0, 1,1,2, 0,1,0, 0,1,2, -1,1,0, -1,1,2, -1,0,0, -1,0,2, -1,-1,0, -1,-1,2,"
+           "points: [1,0,0, 1,0,2, 1,1,0, 1,1,2, 0,1,0, 0,1,2, -1,1,0, -1,1,2, -1,0,0, -1,0,2, "
+           "-1,-1,0, -1,-1,2,"
            " 0,-1,0, 0,-1,2, 1,-1,0, 1,-1,2, 1,0,0, 1,0,2]\n"
-           "weights: [1, 1, 0.70710678118654752, 0.70710678118654752, 1, 1, 0.70710678118654752, 0.70710678118654752,"
-           " 1, 1, 0.70710678118654752, 0.70710678118654752, 1, 1, 0.70710678118654752, 0.70710678118654752, 1, 1]\n");
+           "weights: [1, 1, 0.70710678118654752, 0.70710678118654752, 1, 1, 0.70710678118654752, "
+           "0.70710678118654752,"
+           " 1, 1, 0.70710678118654752, 0.70710678118654752, 1, 1, 0.70710678118654752, "
+           "0.70710678118654752, 1, 1]\n");
   double p[2], q[2];
   bool closed[2];
   assert_true(s.kind->domain(s.data, LAM_CHART_NATURAL, p, q, closed));
@@ -119,18 +131,18 @@ static void test_bezier_is_bspline(void **state) {
   lam_surface bezier = made(f, "bezier", ""), bspline = made(f, "bspline", "");
   for (int i = 0; i <= 10; i++)
     assert_near3(lam_surface_point(&bezier, LAM_CHART_NATURAL, 0, 0.1 * i, 1 - 0.07 * i),
-                 lam_surface_point(&bspline, LAM_CHART_NATURAL, 0, 0.1 * i, 1 - 0.07 * i), 1e-15, "bezier", "point",
-                 0.1 * i, 0);
+                 lam_surface_point(&bspline, LAM_CHART_NATURAL, 0, 0.1 * i, 1 - 0.07 * i), 1e-15,
+                 "bezier", "point", 0.1 * i, 0);
 }
 
-/* m = 0 is trigonometric; for m = 1/2, K = Gamma(1/4)^2 / (4 sqrt pi) and E = K/2 + pi/(4K) (Abramowitz & Stegun 17.3).
- * For other m, sn' = cn dn and epsilon' = dn^2, by differences. */
+/* m = 0 is trigonometric; for m = 1/2, K = Gamma(1/4)^2 / (4 sqrt pi) and E = K/2 + pi/(4K)
+ * (Abramowitz & Stegun 17.3). For other m, sn' = cn dn and epsilon' = dn^2, by differences. */
 static void test_elliptic(void **state) {
   (void)state;
   lam_elliptic half = lam_elliptic_make(0.5), none = lam_elliptic_make(1);
-  double k = tgamma(0.25) * tgamma(0.25) / (4 * sqrt(M_PI));
+  double k = tgamma(0.25) * tgamma(0.25) / (4 * sqrt(LAM_PI));
   assert_near(half.quarter, k, 1e-15, "elliptic", "K", 0.5, 0);
-  assert_near(half.slope * half.quarter, k / 2 + M_PI / (4 * k), 1e-15, "elliptic", "E", 0.5, 0);
+  assert_near(half.slope * half.quarter, k / 2 + LAM_PI / (4 * k), 1e-15, "elliptic", "E", 0.5, 0);
   for (double x = -9; x < 9; x += 0.37) {
     lam_jacobi j = lam_jacobi_eval(&none, x);
     assert_near(j.sn, sin(x), 1e-14, "elliptic", "sin", x, 0);
@@ -149,7 +161,8 @@ static void test_elliptic(void **state) {
       }
       assert_near(slope, at.dn * at.dn, 2e-11, "elliptic", "dn^2", complement, x);
       assert_near(sine, at.cn * at.dn, 2e-11, "elliptic", "cn dn", complement, x);
-      assert_near(at.sn * at.sn + at.cn * at.cn, 1, 1e-15, "elliptic", "sn^2 + cn^2", complement, x);
+      assert_near(at.sn * at.sn + at.cn * at.cn, 1, 1e-15, "elliptic", "sn^2 + cn^2", complement,
+                  x);
     }
   }
 }
@@ -192,9 +205,11 @@ static void test_rows(void **state) {
   (void)state;
   for (int i = 0; i < lam_surfaces.count; i++) {
     const lam_row_head *head = lam_surfaces.rows[i];
-    assert_true(head->name && head->title && head->equation && head->source && strlen(head->doc) > 100);
+    assert_true(head->name && head->title && head->equation && head->source &&
+                strlen(head->doc) > 100);
     assert_ptr_equal(lam_registry_find(&lam_surfaces, head->name), head);
-    for (const lam_key *key = head->keys; key && key->name; key++) assert_true(key->doc && key->initial);
+    for (const lam_key *key = head->keys; key && key->name; key++)
+      assert_true(key->doc && key->initial);
   }
 }
 

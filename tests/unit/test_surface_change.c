@@ -1,13 +1,15 @@
-/* Spline surfaces: changes with bounds, products, images, parameter lines; nearest points; joins. */
-#include "surf/closest.h"
-#include "surf/join.h"
+/* Spline surfaces: changes with bounds, products, images, parameter lines; nearest points; joins.
+ */
+#include "surf/spline/closest_on_surface.h"
+#include "surf/spline/surface_join.h"
 #include "tests/unit/spline_surface_fixture.h"
 
 enum { SURFACES = 12 };
 static const double domain[] = {1, 4}; /* of next_knots */
 
 static lam_spline_surface next_surface(int degree_u, int degree_v, int more, bool rational) {
-  lam_spline_surface s = {.degree = {degree_u, degree_v}, .count = {degree_u + 1 + more, degree_v + 2 + more}};
+  lam_spline_surface s = {.degree = {degree_u, degree_v},
+                          .count = {degree_u + 1 + more, degree_v + 2 + more}};
   int total = s.count[0] * s.count[1];
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, total);
   double *weights = LAM_NEW(arena, double, total);
@@ -21,7 +23,9 @@ static lam_spline_surface next_surface(int degree_u, int degree_v, int more, boo
   return s;
 }
 
-static lam_spline_surface example(int k) { return next_surface(1 + k % 4, 1 + k / 4, k % 3, k % 2); }
+static lam_spline_surface example(int k) {
+  return next_surface(1 + k % 4, 1 + k / 4, k % 3, k % 2);
+}
 
 /* The largest distance at 40 random places. */
 static double distance(const lam_spline_surface *a, const lam_spline_surface *b) {
@@ -33,7 +37,8 @@ static double distance(const lam_spline_surface *a, const lam_spline_surface *b)
   return most;
 }
 
-/* What insertion put in goes again, a knot that matters stays, and no point moves farther than allowed. */
+/* What insertion put in goes again, a knot that matters stays, and no point moves farther than
+ * allowed. */
 static void test_removal(void **state) {
   (void)state;
   for (int k = 0; k < SURFACES; k++) {
@@ -57,7 +62,8 @@ static void test_removal(void **state) {
   }
 }
 
-/* Elevated surfaces come back; of others, no point moves farther than the bound, and the ends stay. */
+/* Elevated surfaces come back; of others, no point moves farther than the bound, and the ends stay.
+ */
 static void test_reduction(void **state) {
   (void)state;
   for (int k = 0; k < SURFACES; k++) {
@@ -108,16 +114,18 @@ static void test_images_domains_and_lines(void **state) {
   (void)state;
   for (int k = 0; k < SURFACES; k++) {
     lam_spline_surface s = example(k);
-    lam_frame frame = {next_point(), {next_point(), next_point(), next_point()}};
+    lam_pose frame = {next_point(), {next_point(), next_point(), next_point()}};
     lam_spline_surface image = lam_spline_surface_map(arena, &s, frame);
     lam_spline_surface moved = lam_spline_surface_move_domain(arena, &s, k % 2, -1, 5);
     double t = next_in(1, 4);
-    lam_spline_curve u = lam_spline_surface_line(arena, &s, 0, t), v = lam_spline_surface_line(arena, &s, 1, t);
+    lam_spline_curve u = lam_spline_surface_line(arena, &s, 0, t),
+                     v = lam_spline_surface_line(arena, &s, 1, t);
     lam_spline_curve shifted = lam_spline_curve_move_domain(arena, u, 0, 2);
     for (int i = 0; i < 30; i++) {
       double p = next_in(1, 4), q = next_in(1, 4), to = -1 + 2 * ((k % 2 ? q : p) - 1);
       lam_vec3 x = at(&s, p, q), y = lam_along(frame.origin, x.x, frame.axis[0]);
-      near3(at(&image, p, q), lam_along(lam_along(y, x.y, frame.axis[1]), x.z, frame.axis[2]), exact);
+      near3(at(&image, p, q), lam_along(lam_along(y, x.y, frame.axis[1]), x.z, frame.axis[2]),
+            exact);
       near3(at(&moved, k % 2 ? p : to, k % 2 ? to : q), x, exact);
       near3(point_at(&u, q), at(&s, t, q), exact);
       near3(point_at(&v, p), at(&s, p, t), exact);
@@ -135,7 +143,8 @@ static void test_closest(void **state) {
   for (int k = 0; k < SURFACES; k++) {
     lam_spline_surface s = example(k);
     for (int j = 0; j < 4; j++) {
-      lam_vec3 base = at(&s, next_in(1.2, 3.8), next_in(1.2, 3.8)); /* near the surface, then anywhere */
+      lam_vec3 base =
+          at(&s, next_in(1.2, 3.8), next_in(1.2, 3.8)); /* near the surface, then anywhere */
       lam_vec3 target = j < 3 ? lam_along(base, 0.1, next_point()) : lam_scale(next_point(), 1.5);
       lam_closest_on_surface c = lam_spline_surface_closest(arena, &s, target);
       near3(at(&s, c.u, c.v), c.point, 1e-13);
@@ -143,7 +152,8 @@ static void test_closest(void **state) {
       double least = INFINITY;
       for (int i = 0; i <= 60 * 61; i++)
         least = fmin(least, lam_distance(at(&s, 1 + i / 61 * 0.05, 1 + i % 61 * 0.05), target));
-      if (!(c.distance <= least + 1e-12)) fail_msg("%g, but a grid point lies at %g", c.distance, least);
+      if (!(c.distance <= least + 1e-12))
+        fail_msg("%g, but a grid point lies at %g", c.distance, least);
       bool edge = c.u == 1 || c.u == 4 || c.v == 1 || c.v == 4;
       for (int d = 0; d < 2; d++) /* at a knot of a surface of degree 1 there may be an edge */
         for (int i = 0; i < s.count[d]; i++)
@@ -164,7 +174,8 @@ static void test_closest(void **state) {
 static lam_spline_surface quarter_cylinder(void) {
   static const double arc[] = {0, 0, 0, 1, 1, 1}, line[] = {0, 0, 1, 1};
   static const double weights[] = {1, 1, 0.70710678118654752, 0.70710678118654752, 1, 1};
-  static const lam_vec3 points[] = {{2, 0, 0}, {2, 3, 0}, {2, 0, 2}, {2, 3, 2}, {0, 0, 2}, {0, 3, 2}};
+  static const lam_vec3 points[] = {{2, 0, 0}, {2, 3, 0}, {2, 0, 2},
+                                    {2, 3, 2}, {0, 0, 2}, {0, 3, 2}};
   return (lam_spline_surface){NULL, {2, 1}, {3, 2}, {arc, line}, points, weights};
 }
 
@@ -195,18 +206,21 @@ static lam_spline_surface plane(lam_vec3 corner, lam_vec3 u, lam_vec3 v) {
   return (lam_spline_surface){NULL, {1, 1}, {2, 2}, {knots, knots}, points, NULL};
 }
 
-/* Planes at 30 degrees; a plane that goes on from a cylinder of radius 2, and one that folds back into it; a gap. */
+/* Planes at 30 degrees; a plane that goes on from a cylinder of radius 2, and one that folds back
+ * into it; a gap. */
 static void test_joins_by_hand(void **state) {
   (void)state;
   const double pi = acos(-1);
   lam_spline_surface flat = plane(lam_v3(0, 0, 0), lam_v3(1, 0, 0), lam_v3(0, 1, 0));
-  lam_spline_surface tilted = plane(lam_v3(2, 0, 0), lam_v3(-3, 0, 0), lam_v3(0, -cos(pi / 6), sin(pi / 6)));
+  lam_spline_surface tilted =
+      plane(lam_v3(2, 0, 0), lam_v3(-3, 0, 0), lam_v3(0, -cos(pi / 6), sin(pi / 6)));
   lam_surface_join join = lam_surface_join_test(arena, &flat, &tilted, (int[]){0, 0}, 10, 1e-9);
   assert_string_equal(join.name, "G0");
   near(join.kink, pi / 6, 1e-12);
   near(join.curvature_gap, 0, 1e-12);
   near(join.gap, 0, 1e-12);
-  lam_spline_surface round = quarter_cylinder(), on = plane(lam_v3(0, 5, 2), lam_v3(-4, 0, 0), lam_v3(0, -9, 0));
+  lam_spline_surface round = quarter_cylinder(),
+                     on = plane(lam_v3(0, 5, 2), lam_v3(-4, 0, 0), lam_v3(0, -9, 0));
   join = lam_surface_join_test(arena, &round, &on, (int[]){3, 1}, 10, 1e-9);
   assert_string_equal(join.name, "G1");
   assert_string_equal(join.fails, "the normal curvatures differ");
@@ -219,12 +233,12 @@ static void test_joins_by_hand(void **state) {
   lam_spline_surface off = plane(lam_v3(0, 0, 2), lam_v3(-4, 0, 0), lam_v3(0, 3, 0.3));
   join = lam_surface_join_test(arena, &round, &off, (int[]){3, 1}, 10, 1e-9);
   assert_string_equal(join.name, "none");
-  near(join.place[0], 1, 1e-12); /* the gap opens towards y = 3 */
+  near(join.location[0], 1, 1e-12); /* the gap opens towards y = 3 */
   near(join.gap, 0.3, 0.02);
 }
 
-/* The parts of a bicubic surface join G2, whatever the direction and parameters of one; a moved second ring of points
- * leaves G1, a moved first ring G0. */
+/* The parts of a bicubic surface join G2, whatever the direction and parameters of one; a moved
+ * second ring of points leaves G1, a moved first ring G0. */
 static void test_joins_of_parts(void **state) {
   (void)state;
   static const char *const names[] = {"none", "G0", "G1", "G2"};
@@ -237,7 +251,8 @@ static void test_joins_of_parts(void **state) {
     for (int ring = 0; ring < 4; ring++) { /* 3 is too far from the side to matter */
       lam_vec3 *points = LAM_NEW(arena, lam_vec3, b.count[0] * b.count[1]);
       for (int i = 0; i < b.count[0] * b.count[1]; i++)
-        points[i] = i / b.count[1] == ring ? lam_along(b.points[i], 0.1, next_point()) : b.points[i];
+        points[i] =
+            i / b.count[1] == ring ? lam_along(b.points[i], 0.1, next_point()) : b.points[i];
       lam_spline_surface t = b;
       t.points = points;
       lam_surface_join join = lam_surface_join_test(arena, &a, &t, (int[]){3, 1}, 20, 1e-6);

@@ -1,7 +1,9 @@
 /* Charts of every listed surface, and the curvatures that its name promises. */
+#include "core/numbers.h"
 #include "tests/unit/surface_fixture.h"
 
-/* The tangents of the chart lines at (p, q), as derivatives of the position, and as directions (du, dv). */
+/* The tangents of the chart lines at (p, q), as derivatives of the position, and as directions (du,
+ * dv). */
 typedef struct tangents {
   lam_jet jet;
   lam_curvature c;
@@ -9,20 +11,22 @@ typedef struct tangents {
   double d[2][2];
 } tangents;
 
-/* Positions are differenced, not (u, v), which may jump by a full turn; (du, dv) are their components along x_u and
- * x_v. Near a branch point the steps are small against the distance from it. */
-static tangents chart_tangents(const lam_surface *s, lam_chart chart, int sector, double p, double q) {
+/* Positions are differenced, not (u, v), which may jump by a full turn; (du, dv) are their
+ * components along x_u and x_v. Near a branch point the steps are small against the distance from
+ * it. */
+static tangents chart_tangents(const lam_surface *s, lam_chart chart, int sector, double p,
+                               double q) {
   tangents t = {0};
   bool branched = s->kind->sectors && s->kind->sectors(s->data, chart) > 0;
   double u, v, h = branched ? fmin(2e-3, 0.02 * fmin(p, q)) : 2e-3;
   for (int k = 1; k <= 3; k++) {
     double factor = weights[k - 1] / (2 * k * h);
-    t.x[0] = lam_along(
-        t.x[0], factor,
-        lam_sub(lam_surface_point(s, chart, sector, p + k * h, q), lam_surface_point(s, chart, sector, p - k * h, q)));
-    t.x[1] = lam_along(
-        t.x[1], factor,
-        lam_sub(lam_surface_point(s, chart, sector, p, q + k * h), lam_surface_point(s, chart, sector, p, q - k * h)));
+    t.x[0] = lam_along(t.x[0], factor,
+                       lam_sub(lam_surface_point(s, chart, sector, p + k * h, q),
+                               lam_surface_point(s, chart, sector, p - k * h, q)));
+    t.x[1] = lam_along(t.x[1], factor,
+                       lam_sub(lam_surface_point(s, chart, sector, p, q + k * h),
+                               lam_surface_point(s, chart, sector, p, q - k * h)));
   }
   s->kind->locate(s->data, chart, sector, p, q, &u, &v);
   lam_surface_eval(s, u, v, &t.jet);
@@ -39,14 +43,16 @@ static tangents chart_tangents(const lam_surface *s, lam_chart chart, int sector
 /* II of two chart directions, as a curvature relative to the larger principal curvature. */
 static double relative_second(const tangents *t, int i, int j) {
   const double *a = t->d[i], *b = t->d[j];
-  double second = t->c.L * a[0] * b[0] + t->c.M * (a[0] * b[1] + a[1] * b[0]) + t->c.N * a[1] * b[1];
+  double second =
+      t->c.L * a[0] * b[0] + t->c.M * (a[0] * b[1] + a[1] * b[0]) + t->c.N * a[1] * b[1];
   return second / (lam_length(t->x[i]) * lam_length(t->x[j]) * fmax(fabs(t->c.k1), fabs(t->c.k2)));
 }
 
 static void check_chart_at(const lam_surface *s, lam_chart chart, int sector, double p, double q) {
   const char *name = s->kind->head.name;
   tangents t = chart_tangents(s, chart, sector, p, q);
-  double lengths = lam_length(t.x[0]) * lam_length(t.x[1]), across = lam_dot(t.x[0], t.x[1]) / lengths;
+  double lengths = lam_length(t.x[0]) * lam_length(t.x[1]),
+         across = lam_dot(t.x[0], t.x[1]) / lengths;
   lam_vec3 normal = lam_scale(lam_cross(t.x[0], t.x[1]), 1 / lengths);
   assert_true(lam_dot(normal, t.c.normal) > 0.1); /* the chart turns like the natural parameters */
   if (chart == LAM_CHART_ASYMPTOTIC) {
@@ -57,7 +63,8 @@ static void check_chart_at(const lam_surface *s, lam_chart chart, int sector, do
     assert_near(across, 0, 1e-9, name, "F", p, q);
     assert_near(relative_second(&t, 0, 1), 0, 1e-9, name, "M", p, q);
   }
-  if (chart == LAM_CHART_DIAGONAL) { /* diagonals of squares: orthogonal, of equal length, with normal curvature H */
+  if (chart == LAM_CHART_DIAGONAL) { /* diagonals of squares: orthogonal, of equal length, with
+                                        normal curvature H */
     double mean = t.c.H / fmax(fabs(t.c.k1), fabs(t.c.k2));
     assert_near(across, 0, 1e-9, name, "F of diagonals", p, q);
     assert_near(lam_length(t.x[0]) / lam_length(t.x[1]), 1, 1e-9, name, "ratio of diagonals", p, q);
@@ -74,7 +81,8 @@ static void check_charts(lam_fixture *f, const lam_surface *s) {
     assert_non_null(s->kind->locate);
     int sectors = s->kind->sectors ? s->kind->sectors(s->data, chart) : 0;
     for (int sector = 0; sector < (sectors ? sectors : 1); sector++)
-      for (int i = 0; i < POINTS; i++) check_chart_at(s, chart, sector, next_in(f, p), next_in(f, q));
+      for (int i = 0; i < POINTS; i++)
+        check_chart_at(s, chart, sector, next_in(f, p), next_in(f, q));
   }
 }
 
@@ -124,8 +132,8 @@ static void test_closed_domains(void **state) {
       }
     }
   }
-  /* In two charts each: the torus in both directions, and revolution, catenoid, constant-ratio, pseudosphere, unduloid,
-   * nodoid, sphere and ellipsoid around the axis. */
+  /* In two charts each: the torus in both directions, and revolution, catenoid, constant-ratio,
+   * pseudosphere, unduloid, nodoid, sphere and ellipsoid around the axis. */
   assert_int_equal(found, 2 * (2 + 8));
 }
 
@@ -144,14 +152,16 @@ static void test_minimal(void **state) {
       double a = next_in(f, p), b = next_in(f, q);
       tangents t = chart_tangents(&s, LAM_CHART_ASYMPTOTIC, 0, a, b);
       assert_near(t.c.H / t.c.k1, 0, 1e-12, names[i][0], "H", a, b);
-      assert_near(lam_dot(t.x[0], t.x[1]) / lam_dot(t.x[0], t.x[0]), 0, 1e-9, names[i][0], "F", a, b);
-      assert_near(lam_length(t.x[0]) / lam_length(t.x[1]), 1, 1e-9, names[i][0], "squareness", a, b);
+      assert_near(lam_dot(t.x[0], t.x[1]) / lam_dot(t.x[0], t.x[0]), 0, 1e-9, names[i][0], "F", a,
+                  b);
+      assert_near(lam_length(t.x[0]) / lam_length(t.x[1]), 1, 1e-9, names[i][0], "squareness", a,
+                  b);
     }
   }
 }
 
-/* H = -1 / (largest + signed smallest radius) on Delaunay surfaces (derived in delaunay.c), extremes of the radius as
- * stated. */
+/* H = -1 / (largest + signed smallest radius) on Delaunay surfaces (derived in delaunay.c),
+ * extremes of the radius as stated. */
 static void test_constant_mean_curvature(void **state) {
   lam_fixture *f = *state;
   static const struct {
@@ -177,14 +187,16 @@ static void test_constant_mean_curvature(void **state) {
       double u = next_in(f, p), v = next_in(f, far);
       lam_surface_eval(&s, u, v, &jet);
       lam_curvature c = lam_jet_curvature(&jet);
-      assert_near(c.H, cases[i].mean, 1e-12 * fmax(fabs(c.k1), fabs(c.k2)), cases[i].name, "H", u, v);
+      assert_near(c.H, cases[i].mean, 1e-12 * fmax(fabs(c.k1), fabs(c.k2)), cases[i].name, "H", u,
+                  v);
       assert_near(c.G / c.E, 1, 1e-12, cases[i].name, "G/E", u, v);
     }
   }
 }
 
-/* Curvatures known in closed form: K = -1 on the pseudosphere, 1/r on the sphere, cos v / (r (R + r cos v)) on the
- * torus, -1/(1 + u^2)^2 on the helicoid. Along the asymptotic lines of the pseudosphere the speed is 1. */
+/* Curvatures known in closed form: K = -1 on the pseudosphere, 1/r on the sphere, cos v / (r (R + r
+ * cos v)) on the torus, -1/(1 + u^2)^2 on the helicoid. Along the asymptotic lines of the
+ * pseudosphere the speed is 1. */
 static void test_known_curvatures(void **state) {
   lam_fixture *f = *state;
   lam_surface pseudosphere = made(f, "pseudosphere", ""), sphere = made(f, "sphere", "radius: 2.5");
@@ -202,7 +214,8 @@ static void test_known_curvatures(void **state) {
     assert_near(c.k1, -0.4, 1e-14, "sphere", "k1", u, v); /* the normal points outward */
     assert_near(c.k2, -0.4, 1e-14, "sphere", "k2", u, v);
     lam_surface_eval(&torus, u, 3 * v, &jet);
-    assert_near(lam_jet_curvature(&jet).K, cos(3 * v) / (3 + cos(3 * v)), 1e-14, "torus", "K", u, 3 * v);
+    assert_near(lam_jet_curvature(&jet).K, cos(3 * v) / (3 + cos(3 * v)), 1e-14, "torus", "K", u,
+                3 * v);
     lam_surface_eval(&helicoid, u, v, &jet);
     assert_near(lam_jet_curvature(&jet).K, -pow(1 + u * u, -2), 1e-14, "helicoid", "K", u, v);
   }
@@ -212,7 +225,7 @@ static void test_known_curvatures(void **state) {
 static void test_constant_ratio(void **state) {
   lam_fixture *f = *state;
   for (int degrees = 20; degrees <= 160; degrees += 10) {
-    double angle = degrees * M_PI / 180, a = pow(tan(angle / 2), -2), p[2], q[2];
+    double angle = degrees * LAM_PI / 180, a = pow(tan(angle / 2), -2), p[2], q[2];
     bool closed[2];
     lam_surface s = made(f, "constant-ratio", lam_arena_printf(f->arena, "angle: %d deg", degrees));
     assert_true(s.kind->domain(s.data, LAM_CHART_ASYMPTOTIC, p, q, closed));
@@ -225,8 +238,8 @@ static void test_constant_ratio(void **state) {
   }
 }
 
-/* Neighboring sectors meet: the q-axis of one is the p-axis of the next, in the same bits, once around. They turn
- * counterclockwise around the normal, which points up. */
+/* Neighboring sectors meet: the q-axis of one is the p-axis of the next, in the same bits, once
+ * around. They turn counterclockwise around the normal, which points up. */
 static void test_sectors(void **state) {
   lam_fixture *f = *state;
   for (int order = 2; order <= 9; order++) {
@@ -244,7 +257,7 @@ static void test_sectors(void **state) {
       lam_vec3 to = lam_surface_point(&s, LAM_CHART_ASYMPTOTIC, sector, 0, 0.1);
       turned += atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
     }
-    assert_near(turned, 2 * M_PI, 1e-9, "enneper", "turn", order, 0);
+    assert_near(turned, 2 * LAM_PI, 1e-9, "enneper", "turn", order, 0);
     lam_jet jet;
     lam_surface_eval(&s, 0, 0, &jet);
     assert_near(lam_jet_curvature(&jet).normal.z, 1, 0, "enneper", "normal", 0, 0);
@@ -255,8 +268,10 @@ static void test_sectors(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEST(test_charts),           TEST(test_closed_domains), TEST(test_minimal), TEST(test_constant_mean_curvature),
-      TEST(test_known_curvatures), TEST(test_constant_ratio), TEST(test_sectors),
+      TEST(test_charts),           TEST(test_closed_domains),
+      TEST(test_minimal),          TEST(test_constant_mean_curvature),
+      TEST(test_known_curvatures), TEST(test_constant_ratio),
+      TEST(test_sectors),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

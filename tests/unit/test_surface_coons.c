@@ -1,9 +1,10 @@
 /* Coons patches and surfaces through grids of points. */
-#include "surf/coons_patch.h"
-#include "surf/spline_through.h"
+#include "surf/spline/coons_patch.h"
+#include "surf/spline/spline_through.h"
 #include "tests/unit/spline_surface_fixture.h"
 
-/* Four sides of different degrees and knots that meet; rational ones have weights that do not agree at the corners. */
+/* Four sides of different degrees and knots that meet; rational ones have weights that do not agree
+ * at the corners. */
 static lam_sides example(bool rational) {
   lam_sides given = {0}, sides;
   lam_sides_gap gap;
@@ -19,14 +20,16 @@ static lam_sides example(bool rational) {
   return sides;
 }
 
-static lam_vec3 side_at(const lam_sides *sides, int i, double t) { return point_at(&sides->side[i], t); }
+static lam_vec3 side_at(const lam_sides *sides, int i, double t) {
+  return point_at(&sides->side[i], t);
+}
 
 /* The formula, from the curves alone. */
 static lam_vec3 bilinear_at(const lam_sides *c, double u, double v) {
   lam_vec3 ruled = lam_mix(side_at(c, 0, u), side_at(c, 2, u), v);
   lam_vec3 other = lam_mix(side_at(c, 1, v), side_at(c, 3, v), u);
-  lam_vec3 corners =
-      lam_mix(lam_mix(side_at(c, 0, 0), side_at(c, 0, 1), u), lam_mix(side_at(c, 2, 0), side_at(c, 2, 1), u), v);
+  lam_vec3 corners = lam_mix(lam_mix(side_at(c, 0, 0), side_at(c, 0, 1), u),
+                             lam_mix(side_at(c, 2, 0), side_at(c, 2, 1), u), v);
   return lam_sub(lam_add(ruled, other), corners);
 }
 
@@ -43,7 +46,8 @@ static double side_gap(const lam_sides *c, const lam_spline_surface *s) {
   for (int i = 0; i < 4; i++)
     for (int k = 0; k <= 100; k++) {
       double t = k / 100.0;
-      most = fmax(most, lam_distance(at(s, i % 2 ? i / 2 : t, i % 2 ? t : i / 2), side_at(c, i, t)));
+      most =
+          fmax(most, lam_distance(at(s, i % 2 ? i / 2 : t, i % 2 ? t : i / 2), side_at(c, i, t)));
     }
   return most;
 }
@@ -61,7 +65,8 @@ static void test_bilinear_coons(void **state) {
   }
 }
 
-/* The same with weights: degrees 3 and 1 along u give a denominator of degree 4 and a patch of degree 5. */
+/* The same with weights: degrees 3 and 1 along u give a denominator of degree 4 and a patch of
+ * degree 5. */
 static void test_rational_coons(void **state) {
   (void)state;
   for (int k = 0; k < 10; k++) {
@@ -69,12 +74,14 @@ static void test_rational_coons(void **state) {
     lam_spline_surface s = lam_coons_surface(arena, &c, LAM_COONS_BILINEAR);
     assert_int_equal(s.degree[0], 5);
     assert_int_equal(s.degree[1], 7);
-    for (int d = 0; d < 2; d++) assert_int_equal(lam_coons_degree(arena, &c, LAM_COONS_BILINEAR, d), s.degree[d]);
+    for (int d = 0; d < 2; d++)
+      assert_int_equal(lam_coons_degree(arena, &c, LAM_COONS_BILINEAR, d), s.degree[d]);
     for (int i = 0; i < s.count[0] * s.count[1]; i++) assert_true(s.weights[i] > 0);
     meets_formula(&c, &s);
     s = lam_coons_surface(arena, &c, LAM_COONS_HERMITE);
     assert_true(side_gap(&c, &s) < exact);
-    for (int d = 0; d < 2; d++) assert_int_equal(lam_coons_degree(arena, &c, LAM_COONS_HERMITE, d), s.degree[d]);
+    for (int d = 0; d < 2; d++)
+      assert_int_equal(lam_coons_degree(arena, &c, LAM_COONS_HERMITE, d), s.degree[d]);
   }
 }
 
@@ -97,20 +104,22 @@ static lam_spline_curve segment(lam_vec3 a, lam_vec3 b) {
   return (lam_spline_curve){1, 2, knots, points, NULL};
 }
 
-static lam_spline_surface patch_of(lam_spline_curve a, lam_spline_curve b, lam_spline_curve c, lam_spline_curve d,
-                                   lam_sides *sides) {
+static lam_spline_surface patch_of(lam_spline_curve a, lam_spline_curve b, lam_spline_curve c,
+                                   lam_spline_curve d, lam_sides *sides) {
   lam_sides_gap gap;
   lam_sides given = {.side = {a, b, c, d}};
   assert_true(lam_sides_join(arena, &given, sides, &gap));
   return lam_coons_surface(arena, sides, LAM_COONS_BILINEAR);
 }
 
-/* Between two arcs and two lines the patch is ruled: a quarter of a cylinder, of a cone. Their equations are met. */
+/* Between two arcs and two lines the patch is ruled: a quarter of a cylinder, of a cone. Their
+ * equations are met. */
 static void test_quadrics(void **state) {
   (void)state;
   lam_sides c;
-  lam_spline_surface s = patch_of(quarter(2, 0, false), segment(lam_v3(2, 0, 0), lam_v3(2, 0, 3)), quarter(2, 3, false),
-                                  segment(lam_v3(0, 2, 0), lam_v3(0, 2, 3)), &c);
+  lam_spline_surface s =
+      patch_of(quarter(2, 0, false), segment(lam_v3(2, 0, 0), lam_v3(2, 0, 3)),
+               quarter(2, 3, false), segment(lam_v3(0, 2, 0), lam_v3(0, 2, 3)), &c);
   assert_int_equal(s.degree[0], 3); /* the denominator of the arcs, once, times a linear function */
   assert_int_equal(s.degree[1], 1);
   assert_true(side_gap(&c, &s) < 1e-14);
@@ -120,8 +129,8 @@ static void test_quadrics(void **state) {
     near(hypot(x.x, x.y), 2, 1e-14);
     near(x.z, 3 * v, 1e-14);
   }
-  s = patch_of(quarter(2, 0, false), segment(lam_v3(2, 0, 0), lam_v3(0.5, 0, 3)), quarter(0.5, 3, false),
-               segment(lam_v3(0, 2, 0), lam_v3(0, 0.5, 3)), &c);
+  s = patch_of(quarter(2, 0, false), segment(lam_v3(2, 0, 0), lam_v3(0.5, 0, 3)),
+               quarter(0.5, 3, false), segment(lam_v3(0, 2, 0), lam_v3(0, 0.5, 3)), &c);
   assert_true(side_gap(&c, &s) < 1e-14);
   for (int i = 0; i < 40; i++) {
     lam_vec3 x = at(&s, next_in(0, 1), next_in(0, 1));
@@ -129,7 +138,8 @@ static void test_quadrics(void **state) {
   }
 }
 
-/* Three quarter circles on a sphere and its pole, a side of length 0: the boundary is met; the inside is no sphere. */
+/* Three quarter circles on a sphere and its pole, a side of length 0: the boundary is met; the
+ * inside is no sphere. */
 static void test_octant(void **state) {
   (void)state;
   lam_sides c;
@@ -138,7 +148,8 @@ static void test_octant(void **state) {
   for (int i = 0; i < 3; i++) turned[i] = lam_v3(0, meridian.points[i].x, meridian.points[i].z);
   lam_spline_curve other = meridian;
   other.points = turned;
-  lam_spline_surface s = patch_of(quarter(1, 0, false), meridian, segment(lam_v3(0, 0, 1), lam_v3(0, 0, 1)), other, &c);
+  lam_spline_surface s = patch_of(quarter(1, 0, false), meridian,
+                                  segment(lam_v3(0, 0, 1), lam_v3(0, 0, 1)), other, &c);
   assert_true(side_gap(&c, &s) < 1e-14);
   for (int i = 0; i <= 20; i++) {
     near(lam_length(at(&s, i / 20.0, 0)), 1, 1e-14);
@@ -155,8 +166,8 @@ static void test_octant(void **state) {
   same(&s, &t, unit, unit);
 }
 
-/* The sides and derivatives of a bicubic patch give it back; with simple blends of a spline surface too, the sides and
- * what crosses them are met. */
+/* The sides and derivatives of a bicubic patch give it back; with simple blends of a spline surface
+ * too, the sides and what crosses them are met. */
 static void test_hermite_coons(void **state) {
   (void)state;
   for (int k = 0; k < 5; k++) {
@@ -171,7 +182,8 @@ static void test_hermite_coons(void **state) {
       for (int j = 0; j < 4; j++) {
         const lam_vec3 *p = net + j * step;
         side[j] = p[i / 2 ? 3 * jump : 0];
-        across[j] = i / 2 ? lam_scale(lam_sub(p[3 * jump], p[2 * jump]), 3) : lam_scale(lam_sub(p[jump], p[0]), 3);
+        across[j] = i / 2 ? lam_scale(lam_sub(p[3 * jump], p[2 * jump]), 3)
+                          : lam_scale(lam_sub(p[jump], p[0]), 3);
       }
       c.side[i] = (lam_spline_curve){3, 4, knots, side, NULL};
       lam_spline_curve crossing = {3, 4, knots, across, NULL};
@@ -185,8 +197,9 @@ static void test_hermite_coons(void **state) {
   }
 }
 
-/* Without given derivatives those across a side are mixed linearly from the slopes at its ends; the twists then agree
- * only in the mean. Both sides and, at twist-free corners, derivatives are met. */
+/* Without given derivatives those across a side are mixed linearly from the slopes at its ends; the
+ * twists then agree only in the mean. Both sides and, at twist-free corners, derivatives are met.
+ */
 static void test_hermite_coons_from_sides(void **state) {
   (void)state;
   lam_sides c = example(false);
@@ -216,7 +229,8 @@ static void test_hermite_coons_from_sides(void **state) {
                           {3, 4, knots, top, NULL},
                           {3, 4, knots, right, NULL}}};
   near(lam_coons_check(arena, &t).twist, 0, 1e-13);
-  s = lam_coons_surface(arena, &t, LAM_COONS_HERMITE); /* the translational surface bottom(u) + left(v) - corner */
+  s = lam_coons_surface(
+      arena, &t, LAM_COONS_HERMITE); /* the translational surface bottom(u) + left(v) - corner */
   for (int i = 0; i < 40; i++) {
     double u = next_in(0, 1), v = next_in(0, 1);
     lam_vec3 x = lam_sub(lam_add(point_at(&t.side[0], u), point_at(&t.side[1], v)), bottom[0]);
@@ -227,7 +241,8 @@ static void test_hermite_coons_from_sides(void **state) {
 /* ---- through points ---- */
 
 static lam_vec3 bicubic_at(double u, double v) {
-  return lam_v3(u + 0.2 * v * v * u, v - 0.1 * u * u * u, u * u * v * v * v - u * v + 0.5 * u * u * u);
+  return lam_v3(u + 0.2 * v * v * u, v - 0.1 * u * u * u,
+                u * u * v * v * v - u * v + 0.5 * u * u * u);
 }
 
 /* Cubics come back; other points are met, whatever the ends and the parameters. */
@@ -239,7 +254,8 @@ static void test_through_points(void **state) {
   const double *const given[] = {t0, t1};
   lam_vec3 points[M * N];
   for (int i = 0; i < M * N; i++) points[i] = bicubic_at(t0[i / N], t1[i % N]);
-  lam_spline_surface s = lam_surface_through(arena, LAM_ENDS_NOT_A_KNOT, cubic, count, given, points);
+  lam_spline_surface s =
+      lam_surface_through(arena, LAM_ENDS_NOT_A_KNOT, cubic, count, given, points);
   for (int i = 0; i < 40; i++) {
     double u = next_in(0, 1), v = next_in(0, 1);
     near3(at(&s, u, v), bicubic_at(u, v), 1e-12);
@@ -261,8 +277,9 @@ static void test_through_points(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEST(test_bilinear_coons), TEST(test_rational_coons),           TEST(test_quadrics),       TEST(test_octant),
-      TEST(test_hermite_coons),  TEST(test_hermite_coons_from_sides), TEST(test_through_points),
+      TEST(test_bilinear_coons), TEST(test_rational_coons), TEST(test_quadrics),
+      TEST(test_octant),         TEST(test_hermite_coons),  TEST(test_hermite_coons_from_sides),
+      TEST(test_through_points),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,16 +1,16 @@
 /* Fairness and fairing of surfaces, curves on them, Ferguson patches and local interpolation. */
+#include "core/numbers.h"
 #include "curve/frenet.h"
 #include "curve/hermite.h"
 #include "curve/length.h"
-#include "surf/curve_on.h"
-#include "surf/fairness.h"
-#include "surf/ferguson.h"
-#include "surf/spline_through.h"
+#include "surf/spline/curve_on.h"
+#include "surf/spline/ferguson.h"
+#include "surf/spline/spline_through.h"
+#include "surf/spline/surface_fairness.h"
 #include "tests/unit/spline_surface_fixture.h"
 
-static const double pi = 3.14159265358979323846;
-
-/* A quarter of a cone or cylinder about the z axis: radius a at z = 0, b at z = h; u around, v up. */
+/* A quarter of a cone or cylinder about the z axis: radius a at z = 0, b at z = h; u around, v up.
+ */
 static lam_spline_surface quarter(double a, double b, double h) {
   static const double arc[] = {0, 0, 0, 1, 1, 1}, line[] = {0, 0, 1, 1};
   static const double weights[] = {1, 1, 0.70710678118654752, 0.70710678118654752, 1, 1};
@@ -22,20 +22,20 @@ static lam_spline_surface quarter(double a, double b, double h) {
   return (lam_spline_surface){NULL, {2, 1}, {3, 2}, {arc, line}, p, weights};
 }
 
-/* Cylinder of radius 2 and height 3: k = 1/2 on an area 3 pi. Cone of slant lengths v0 = 2, v1 = 4 and half angle 30
- * degrees: k = cot a / v, H = k / 2, so that integral k^2 = (pi/2) sin a cot^2 a log(v1/v0) and integral |H_v|^2 =
- * (pi/2) sin a cot^2 a / 8 (1/v0^2 - 1/v1^2). */
+/* Cylinder of radius 2 and height 3: k = 1/2 on an area 3 pi. Cone of slant lengths v0 = 2, v1 = 4
+ * and half angle 30 degrees: k = cot a / v, H = k / 2, so that integral k^2 = (pi/2) sin a cot^2 a
+ * log(v1/v0) and integral |H_v|^2 = (pi/2) sin a cot^2 a / 8 (1/v0^2 - 1/v1^2). */
 static void test_known_figures(void **state) {
   (void)state;
   lam_spline_surface s = quarter(2, 2, 3);
   lam_surface_fairness f = lam_spline_surface_fairness(arena, &s, 8);
-  near(f.bending, 3 * pi / 4, 1e-7);
+  near(f.bending, 3 * LAM_PI / 4, 1e-7);
   near(f.curvature_change, 0, 1e-12);
   assert_int_equal(f.inflections, 0);
   s = quarter(1, 2, sqrt(3)); /* radius = v / 2, height = v cos 30 */
   f = lam_spline_surface_fairness(arena, &s, 8);
-  near(f.bending, pi / 2 * 0.5 * 3 * log(2), 1e-6);
-  near(f.curvature_change, pi / 2 * 0.5 * 3 / 8 * (1 / 4.0 - 1 / 16.0), 1e-5);
+  near(f.bending, LAM_PI / 2 * 0.5 * 3 * log(2), 1e-6);
+  near(f.curvature_change, LAM_PI / 2 * 0.5 * 3 / 8 * (1 / 4.0 - 1 / 16.0), 1e-5);
   near(f.curvature_jump, 0, 0);
 }
 
@@ -84,7 +84,8 @@ static void check_rings(const lam_spline_surface *a, const lam_spline_surface *b
   int m = a->count[0], n = a->count[1];
   for (int i = 0; i < m * n; i++) {
     int r = i / n, c = i % n;
-    if (r < rings || r >= m - rings || c < rings || c >= n - rings) near3(b->points[i], a->points[i], 0);
+    if (r < rings || r >= m - rings || c < rings || c >= n - rings)
+      near3(b->points[i], a->points[i], 0);
   }
 }
 
@@ -93,7 +94,8 @@ static void test_fairing_by_energy(void **state) {
   lam_spline_surface s = bumpy();
   lam_surface_fairing report;
   lam_spline_surface t = lam_surface_fair_by_energy(arena, &s, 2, 0.15, &report);
-  assert_int_equal(report.before.inflections, 8); /* two on each of the four lines through the dent */
+  assert_int_equal(report.before.inflections,
+                   8); /* two on each of the four lines through the dent */
   assert_int_equal(report.after.inflections, 0);
   assert_true(report.after.bending < 0.7 * report.before.bending);
   assert_true(report.after.curvature_change < 0.03 * report.before.curvature_change);
@@ -135,7 +137,7 @@ static void test_curves_on_surfaces(void **state) {
   lam_spline_surface s = quarter(2, 2, 3);
   lam_spline_curve plane = {1, 2, knots, around, NULL};
   lam_curve c = lam_curve_on_surface(arena, &s, &plane);
-  near(lam_curve_length(&c, 0, 1, 1e-12), pi, 1e-10);
+  near(lam_curve_length(&c, 0, 1, 1e-12), LAM_PI, 1e-10);
   for (int i = 0; i <= 10; i++) {
     lam_vec3 x[4];
     c.eval(c.data, i / 10.0, 3, x);
@@ -143,7 +145,8 @@ static void test_curves_on_surfaces(void **state) {
     near(f.curvature, 0.5, 1e-12);
     near(f.torsion, 0, 1e-12);
   }
-  for (int k = 0; k < 6; k++) { /* derivatives against differences, extrapolated to an error of order h^6 */
+  for (int k = 0; k < 6;
+       k++) { /* derivatives against differences, extrapolated to an error of order h^6 */
     lam_vec3 net[24];
     double weights[24];
     for (int i = 0; i < 24; i++) {
@@ -162,7 +165,8 @@ static void test_curves_on_surfaces(void **state) {
     for (int m = 1; m <= 3; m++) {
       c.eval(c.data, t - m * h, 3, low);
       c.eval(c.data, t + m * h, 3, high);
-      for (int d = 0; d < 3; d++) sum[d] = lam_along(sum[d], factors[m - 1] / (2 * m * h), lam_sub(high[d], low[d]));
+      for (int d = 0; d < 3; d++)
+        sum[d] = lam_along(sum[d], factors[m - 1] / (2 * m * h), lam_sub(high[d], low[d]));
     }
     for (int d = 0; d < 3; d++) near3(sum[d], at[d + 1], 1e-7 * (1 + lam_length(at[d + 1])));
   }
@@ -173,12 +177,14 @@ static void test_curves_on_surfaces(void **state) {
 static lam_vec3 bicubic(const lam_vec3 b[16], double u, double v) {
   lam_vec3 rows[4], x;
   const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
-  for (int i = 0; i < 4; i++) rows[i] = point_at(&(lam_spline_curve){3, 4, knots, b + 4 * i, NULL}, v);
+  for (int i = 0; i < 4; i++)
+    rows[i] = point_at(&(lam_spline_curve){3, 4, knots, b + 4 * i, NULL}, v);
   x = point_at(&(lam_spline_curve){3, 4, knots, rows, NULL}, u);
   return x;
 }
 
-/* The Bezier form has the values of x(u,v) = sum_kl h_k(u) h_l(v) data_kl with Hermite's cubics; and turns back. */
+/* The Bezier form has the values of x(u,v) = sum_kl h_k(u) h_l(v) data_kl with Hermite's cubics;
+ * and turns back. */
 static void test_ferguson(void **state) {
   (void)state;
   for (int k = 0; k < 5; k++) {
@@ -219,13 +225,14 @@ static lam_vec3 biquadratic(double u, double v) {
   return lam_v3(u + 0.2 * v * v * u * u, v - 0.1 * u * u, u * u * v * v - u * v + 0.5 * u * u);
 }
 
-/* Points are met; polynomials of degree 2 in each parameter come back, which Bessel's tangents know exactly; tangent
- * planes are continuous; a moved point moves nothing beyond two rows. */
+/* Points are met; polynomials of degree 2 in each parameter come back, which Bessel's tangents know
+ * exactly; tangent planes are continuous; a moved point moves nothing beyond two rows. */
 static void test_local_interpolation(void **state) {
   (void)state;
   enum { M = 7, N = 6 };
   const int count[] = {M, N};
-  const double t0[M] = {0, 0.1, 0.3, 0.4, 0.7, 0.8, 1}, t1[N] = {0, 0.3, 0.4, 0.5, 0.9, 1}, *const t[] = {t0, t1};
+  const double t0[M] = {0, 0.1, 0.3, 0.4, 0.7, 0.8, 1},
+               t1[N] = {0, 0.3, 0.4, 0.5, 0.9, 1}, *const t[] = {t0, t1};
   lam_vec3 points[M * N];
   for (int i = 0; i < M * N; i++) points[i] = biquadratic(t0[i / N], t1[i % N]);
   lam_spline_surface s = lam_surface_through_local(arena, count, t, points);
@@ -238,7 +245,8 @@ static void test_local_interpolation(void **state) {
   for (int i = 0; i < M * N; i++) near3(at(&s, t0[i / N], t1[i % N]), points[i], 1e-14);
   for (int d = 0; d < 2; d++)
     for (int i = 0; i < s.count[d]; i++)
-      assert_true(lam_bspline_multiplicity(&(lam_bspline){3, s.count[d], 3, s.knots[d], NULL}, s.knots[d][i]) <= 4);
+      assert_true(lam_bspline_multiplicity(&(lam_bspline){3, s.count[d], 3, s.knots[d], NULL},
+                                           s.knots[d][i]) <= 4);
   for (int i = 0; i < 20; i++) {
     double v = next_in(0, 1);
     lam_vec3 before[4], after[4];
@@ -257,8 +265,9 @@ static void test_local_interpolation(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEST(test_known_figures),       TEST(test_inflections_and_jumps), TEST(test_fairing_by_energy),
-      TEST(test_fairing_by_knots),    TEST(test_curves_on_surfaces),    TEST(test_ferguson),
+      TEST(test_known_figures),       TEST(test_inflections_and_jumps),
+      TEST(test_fairing_by_energy),   TEST(test_fairing_by_knots),
+      TEST(test_curves_on_surfaces),  TEST(test_ferguson),
       TEST(test_local_interpolation),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,19 +1,24 @@
-/* Reading and writing spline surfaces: STEP, IGES, surface.json, OBJ. What OpenCASCADE reads is in tests/cli/step.t. */
+/* Reading and writing spline surfaces: STEP, IGES, surface.json, OBJ. What OpenCASCADE reads is in
+ * tests/cli/step.t. */
 #include "files_fixture.h"
+#include "formats/spline/curves.h"
 #include "others_fixture.h"
-#include "surf/spline_surface.h"
+#include "surf/spline/spline_surface.h"
 #include <locale.h>
 
-static const lam_format *const readable[] = {&lam_format_surface, &lam_format_step, &lam_format_iges};
+static const lam_format *const readable[] = {&lam_format_surface, &lam_format_step,
+                                             &lam_format_iges};
 enum { readable_count = 3 };
 
 /* ---- surfaces ---- */
 
-static void assert_same_surface(const lam_spline_surface *a, const lam_spline_surface *b, const char *what) {
+static void assert_same_surface(const lam_spline_surface *a, const lam_spline_surface *b,
+                                const char *what) {
   for (int d = 0; d < 2; d++) {
     assert_int_equal(a->degree[d], b->degree[d]);
     assert_int_equal(a->count[d], b->count[d]);
-    for (int i = 0; i < a->count[d] + a->degree[d] + 1; i++) assert_true(a->knots[d][i] == b->knots[d][i]);
+    for (int i = 0; i < a->count[d] + a->degree[d] + 1; i++)
+      assert_true(a->knots[d][i] == b->knots[d][i]);
   }
   assert_int_equal(a->weights != NULL, b->weights != NULL);
   for (int i = 0; i < a->count[0] * a->count[1]; i++) {
@@ -26,7 +31,8 @@ static void assert_same_surface(const lam_spline_surface *a, const lam_spline_su
 }
 
 /* The largest distance of points at the same parameters, relative to the size. */
-static double difference(lam_arena *arena, const lam_spline_surface *a, const lam_spline_surface *b) {
+static double difference(lam_arena *arena, const lam_spline_surface *a,
+                         const lam_spline_surface *b) {
   const lam_nurbs *x = lam_nurbs_make(arena, a), *y = lam_nurbs_make(arena, b);
   double p[2], q[2], p2[2], q2[2], worst = 0, size = 0;
   bool closed[2];
@@ -47,7 +53,8 @@ static double difference(lam_arena *arena, const lam_spline_surface *a, const la
 
 /* ---- there and back ---- */
 
-/* Knots and weights come back as the same doubles, points to the last digit (millimeters stand between). */
+/* Knots and weights come back as the same doubles, points to the last digit (millimeters stand
+ * between). */
 static void surfaces_come_back(void **state) {
   static const int shapes[][4] = {{3, 3, 7, 6}, {1, 2, 2, 3}, {5, 1, 9, 4}, {2, 4, 40, 5}};
   for (int f = 0; f < readable_count; f++)
@@ -109,7 +116,8 @@ static void locales_do_not_matter(void **state) {
 
 /* ---- structure of what is written ---- */
 
-/* Every real has a point and an upper-case E; no line is wider than IGES allows; every reference leads somewhere. */
+/* Every real has a point and an upper-case E; no line is wider than IGES allows; every reference
+ * leads somewhere. */
 static void step_is_well_formed(void **state) {
   lam_spline_surface s = some_surface(*state, 3, 3, 7, 6, true, true);
   lam_model model = model_of(&s, 1);
@@ -120,7 +128,8 @@ static void step_is_well_formed(void **state) {
   bool quoted = false;
   for (const char *c = data; *c; c++) {
     if (*c == '\'') quoted = !quoted;
-    if (!quoted && *c == 'e' && c[-1] >= '0' && c[-1] <= '9') fail_msg("a lower-case e at %.20s", c - 8);
+    if (!quoted && *c == 'e' && c[-1] >= '0' && c[-1] <= '9')
+      fail_msg("a lower-case e at %.20s", c - 8);
     if (!quoted && *c == 'E' && c[-1] >= '0' && c[-1] <= '9') {
       const char *digit = c - 1;
       while (*digit >= '0' && *digit <= '9') digit--;
@@ -144,10 +153,12 @@ static void iges_has_eighty_columns(void **state) {
     assert_int_equal(strchr(at, '\n') - at, 80);
     char digits[8] = {0};
     memcpy(digits, at + 73, 7);
-    assert_int_equal(atoi(digits), ++counts[(unsigned char)at[72]]); /* numbered from 1 in each section */
+    assert_int_equal(atoi(digits),
+                     ++counts[(unsigned char)at[72]]); /* numbered from 1 in each section */
     last = at;
   }
-  assert_int_equal(sscanf(last, "S%7dG%7dD%7dP%7d", &numbers[0], &numbers[1], &numbers[2], &numbers[3]), 4);
+  assert_int_equal(
+      sscanf(last, "S%7dG%7dD%7dP%7d", &numbers[0], &numbers[1], &numbers[2], &numbers[3]), 4);
   for (int i = 0; i < 4; i++) assert_int_equal(numbers[i], counts[(unsigned char)"SGDP"[i]]);
   assert_int_equal(counts['D'], 2 * 5); /* a surface and its four sides */
   assert_int_equal(counts['T'], 1);
@@ -159,8 +170,9 @@ static int occurrences(const char *text, const char *word) {
   return n;
 }
 
-/* A side that is a point has no edge; two sides that are one curve are one edge, passed twice; corners in one place are
- * one vertex. Ring: a square or a bent line of five points; top: the same ring, or a point. */
+/* A side that is a point has no edge; two sides that are one curve are one edge, passed twice;
+ * corners in one place are one vertex. Ring: a square or a bent line of five points; top: the same
+ * ring, or a point. */
 static void sides_become_edges(void **state) {
   static const lam_vec3 square[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 1e-16, 0}};
   static const lam_vec3 line[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {2, 0, 0}};
@@ -169,12 +181,16 @@ static void sides_become_edges(void **state) {
     const lam_vec3 *ring;
     bool apex;
     int edges, passed, vertices;
-  } cases[] = {{line, false, 4, 4, 4}, {line, true, 3, 3, 3}, {square, false, 3, 4, 2}, {square, true, 2, 3, 2}};
+  } cases[] = {{line, false, 4, 4, 4},
+               {line, true, 3, 3, 3},
+               {square, false, 3, 4, 2},
+               {square, true, 2, 3, 2}};
   for (int i = 0; i < 4; i++) {
     lam_vec3 points[10];
     for (int k = 0; k < 5; k++) {
       points[2 * k] = cases[i].ring[k];
-      points[2 * k + 1] = lam_add(lam_scale(cases[i].ring[k], cases[i].apex ? 0 : 1), lam_v3(0, 0, 1));
+      points[2 * k + 1] =
+          lam_add(lam_scale(cases[i].ring[k], cases[i].apex ? 0 : 1), lam_v3(0, 0, 1));
     }
     lam_spline_surface s = {"roof", {1, 1}, {5, 2}, {knots, up}, points, NULL};
     lam_model model = model_of(&s, 1);
@@ -183,14 +199,17 @@ static void sides_become_edges(void **state) {
     assert_int_equal(occurrences(step, "=B_SPLINE_CURVE_WITH_KNOTS("), cases[i].edges);
     assert_int_equal(occurrences(step, "=ORIENTED_EDGE("), cases[i].passed);
     assert_int_equal(occurrences(step, "=VERTEX_POINT("), cases[i].vertices);
-    assert_int_equal(occurrences(written(*state, &lam_format_iges, &model).data, "\n126,"), cases[i].edges);
+    assert_int_equal(occurrences(written(*state, &lam_format_iges, &model).data, "\n126,"),
+                     cases[i].edges);
   }
 }
 
 /* The control points in OBJ, with u running fastest, and one statement of each kind. */
 static void obj_lists_u_fastest(void **state) {
-  static const double knots_u[] = {0, 0, 0, 1, 1, 1}, knots_v[] = {0, 0, 2, 2}, weights[] = {1, 2, 3, 4, 5, 6};
-  static const lam_vec3 points[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 1e-9}};
+  static const double knots_u[] = {0, 0, 0, 1, 1, 1}, knots_v[] = {0, 0, 2, 2},
+                      weights[] = {1, 2, 3, 4, 5, 6};
+  static const lam_vec3 points[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0},
+                                    {1, 1, 0}, {2, 0, 0}, {2, 1, 1e-9}};
   lam_spline_surface s = {"roof", {2, 1}, {3, 2}, {knots_u, knots_v}, points, weights};
   lam_model model = model_of(&s, 1);
   assert_string_equal(written(*state, &lam_format_surface_obj, &model).data,
@@ -211,21 +230,23 @@ static lam_spline_surface obj_surface(lam_arena *arena, const char *text, const 
   return list.items[0];
 }
 
-/* What is written as surface.obj is read as the same numbers: lines are broken and joined, u runs fastest. */
+/* What is written as surface.obj is read as the same numbers: lines are broken and joined, u runs
+ * fastest. */
 static void obj_comes_back(void **state) {
   const char *note;
   for (int rational = 0; rational < 2; rational++) {
     lam_spline_surface s = some_surface(*state, 3, 2, 7, 6, rational, true);
     lam_model model = model_of(&s, 1);
-    lam_spline_surface back = obj_surface(*state, written(*state, &lam_format_surface_obj, &model).data, &note);
+    lam_spline_surface back =
+        obj_surface(*state, written(*state, &lam_format_surface_obj, &model).data, &note);
     assert_same_surface(&back, &s, "surface.obj");
     assert_null(note);
   }
 }
 
-/* Two Bezier pieces along u, of degree 2, and one along v, of degree 1, as the specification lists them (the places
- * where pieces meet): the third row of points is shared. References
- * with slashes and negative ones are other programs' habits. */
+/* Two Bezier pieces along u, of degree 2, and one along v, of degree 1, as the specification lists
+ * them (the places where pieces meet): the third row of points is shared. References with slashes
+ * and negative ones are other programs' habits. */
 static const char obj_bezier[] =
     "mtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 2 0 1 7\nv 3 0 0\nv 4 0 0\n"
     "v 0 1 0\nv 1 1 0\nv 2 1 1\nv 3 1 0\nv 4 1 0\no shell\ncstype bezier\ndeg 2 1\n"
@@ -253,7 +274,8 @@ static void bad_obj_is_refused_with_a_reason(void **state) {
       {"bezier", "cardinal", "13: cstype: expected bspline or bezier"},
       {"deg 2 1", "deg 2.5 1", "14: deg: expected whole numbers from 1 on"},
       {"deg 2 1", "", "15: no deg before the element"},
-      {"deg 2 1", "deg 3 1", "15: the element has 10 points; expected 14, as its parameters and degree ask for"},
+      {"deg 2 1", "deg 3 1",
+       "15: the element has 10 points; expected 14, as its parameters and degree ask for"},
       {"v 1 0 0", "v 1 0", "3: v: fewer than three numbers given"},
       {"v 1 0 0", "v 1 0 x", "3: v: \"x\" is not a number"},
       {"-5 -4", "-50 -4", "16: \"-50\" given, the number of one of the 10 vertices expected"},
@@ -294,15 +316,17 @@ static void step_of_others_is_read(void **state) {
   assert_true(s->knots[1][0] == -1 && s->knots[1][3] == 3 && s->weights == NULL);
 }
 
-/* Knots that are not listed: one of each form along a row of points, of degree 2 and along v of degree 1. The surface
- * begins at the first point unless its knots are uniform; then it begins in the middle of the first two. */
+/* Knots that are not listed: one of each form along a row of points, of degree 2 and along v of
+ * degree 1. The surface begins at the first point unless its knots are uniform; then it begins in
+ * the middle of the first two. */
 static void step_without_knots_is_read(void **state) {
   static const struct {
     const char *surface;
     double knots[8], start;
   } cases[] = {
       {"BEZIER_SURFACE('',2,1,%s,.UNSPECIFIED.,.F.,.F.,.F.)", {0, 0, 0, 1, 1, 2, 2, 2}, 0},
-      {"(B_SPLINE_SURFACE(2,1,%s,.UNSPECIFIED.,.F.,.F.,.F.)QUASI_UNIFORM_SURFACE()RATIONAL_B_SPLINE_SURFACE(((1.,1.),"
+      {"(B_SPLINE_SURFACE(2,1,%s,.UNSPECIFIED.,.F.,.F.,.F.)QUASI_UNIFORM_SURFACE()RATIONAL_B_"
+       "SPLINE_SURFACE(((1.,1.),"
        "(2.,2.),(1.,1.),(1.,1.),(1.,1.))))",
        {0, 0, 0, 1, 2, 3, 3, 3},
        0},
@@ -310,8 +334,8 @@ static void step_without_knots_is_read(void **state) {
   };
   for (int i = 0; i < 3; i++) {
     lam_text surface = {.arena = *state}, text = {.arena = *state};
-    lam_text_add(&surface,
-                 replaced(*state, cases[i].surface, "%s", "((#10,#11),(#12,#13),(#10,#11),(#12,#13),(#10,#11))"));
+    lam_text_add(&surface, replaced(*state, cases[i].surface, "%s",
+                                    "((#10,#11),(#12,#13),(#10,#11),(#12,#13),(#10,#11))"));
     const char *from = strstr(step_inch, "B_SPLINE_SURFACE_WITH_KNOTS"), *to = strstr(from, ";\n");
     lam_text_bytes(&text, step_inch, (size_t)(from - step_inch));
     lam_text_add(&text, surface.data);
@@ -338,7 +362,8 @@ static void iges_of_others_is_read(void **state) {
   assert_near(lam_distance(s->points[3], lam_v3(0.2286, 0.0254, 0.0127)), 0, 1e-16, "(1, 1)");
 }
 
-/* What the evaluation cannot take is refused with the key's name, and so is a surface that nobody read. */
+/* What the evaluation cannot take is refused with the key's name, and so is a surface that nobody
+ * read. */
 static void surfaces_of_files_are_checked(void **state) {
   static const lam_vec3 points[60] = {{0}};
   static double high[60], torn[] = {0, 0, 0.5, 0.5, 1, 1};
@@ -347,7 +372,8 @@ static void surfaces_of_files_are_checked(void **state) {
     lam_spline_surface surface;
     const char *message;
   } cases[] = {
-      {{NULL, {29, 1}, {30, 2}, {high, torn}, points, NULL}, "the surface has degree 29; expected at most 24"},
+      {{NULL, {29, 1}, {30, 2}, {high, torn}, points, NULL},
+       "the surface has degree 29; expected at most 24"},
       {{NULL, {1, 1}, {2, 4}, {(const double[]){0, 0, 1, 1}, torn}, points, NULL},
        "the knots of the surface in v must not repeat an inner knot more often than the degree"},
   };
@@ -359,7 +385,8 @@ static void surfaces_of_files_are_checked(void **state) {
     assert_null(lam_surface_make(*state, &row, &errors).kind);
     assert_string_equal(errors.first->key, "file");
     assert_string_equal(errors.first->text,
-                        i < 0 ? "x.step cannot be read: this caller loads no files" : cases[i].message);
+                        i < 0 ? "x.step cannot be read: this caller loads no files"
+                              : cases[i].message);
   }
 }
 

@@ -2,10 +2,12 @@
 #include "files_fixture.h"
 #include "others_fixture.h"
 
-static const lam_format *const readable[] = {&lam_format_surface, &lam_format_step, &lam_format_iges};
+static const lam_format *const readable[] = {&lam_format_surface, &lam_format_step,
+                                             &lam_format_iges};
 enum { readable_count = 3 };
 
-static void check_refused(void **state, const lam_format *format, const char *text, const bad_case *cases, size_t n) {
+static void check_refused(void **state, const lam_format *format, const char *text,
+                          const bad_case *cases, size_t n) {
   for (size_t i = 0; i < n; i++) {
     char *bad = replaced(*state, text, cases[i].old, cases[i].by);
     lam_spline_list list;
@@ -16,20 +18,23 @@ static void check_refused(void **state, const lam_format *format, const char *te
     assert_null(strchr(message, '\n'));
   }
 }
-#define CHECK_REFUSED(format, text, cases) check_refused(state, format, text, cases, sizeof(cases) / sizeof *(cases))
+#define CHECK_REFUSED(format, text, cases)                                                         \
+  check_refused(state, format, text, cases, sizeof(cases) / sizeof *(cases))
 
 static void bad_step_is_refused_with_a_reason(void **state) {
   static const bad_case cases[] = {
       {"ISO-10303-21;", "solid x;", "0: is not a STEP file: it does not begin with ISO-10303-21"},
       {"END-ISO-10303-21;", "", "19: is cut off: END-ISO-10303-21 expected"},
       {"(2,2),(2,2)", "(2,2),(2,1)", "10: surface #20: its multiplicities do not fit its points"},
-      {"(2,2),(2,2)", "(2,2),(2,9999999999)", "10: surface #20: its multiplicities do not fit its points"},
+      {"(2,2),(2,2)", "(2,2),(2,9999999999)",
+       "10: surface #20: its multiplicities do not fit its points"},
       {"(0.,1.)", "(1.,0.)", "10: surface #20: it has knots that decrease"},
       {"(0.,1.)", "(0.)", "10: surface #20: expected as many knots as multiplicities"},
       {"'',1,1,", "'',0,1,", "10: surface #20: its degree is not a whole number from 1 on"},
       {"'',1,1,", "'',1.5,1,", "10: surface #20: its degree is not a whole number from 1 on"},
       {"(#12,#13)", "(#12)", "10: surface #20: its control points are not rows of equal length"},
-      {"(#12,#13)", "(#12,#99)", "10: surface #20: a control point is not a CARTESIAN_POINT of three numbers"},
+      {"(#12,#13)", "(#12,#99)",
+       "10: surface #20: a control point is not a CARTESIAN_POINT of three numbers"},
       {"(#12,#13)", "(#12,#13", "10: \";\" given, , or ) expected"},
       {"2.5E-1", "2.5e-1,", "9: \")\" given, a value expected"},
       {"2.5E-1", "2.5E-1.", "9: number: \"2.5E-1.\" is not a number"},
@@ -40,7 +45,8 @@ static void bad_step_is_refused_with_a_reason(void **state) {
       {"GLOBAL_UNIT", "LOCAL_UNIT", "0: names no unit of length"},
       {"B_SPLINE_SURFACE_WITH_KNOTS", "PLANE",
        "0: has no B-spline surface, but PLANE; expected surfaces saved as NURBS"},
-      {"B_SPLINE_SURFACE_WITH_KNOTS", "CURVE", "0: has no surface; expected at least one B-spline surface"},
+      {"B_SPLINE_SURFACE_WITH_KNOTS", "CURVE",
+       "0: has no surface; expected at least one B-spline surface"},
   };
   CHECK_REFUSED(&lam_format_step, step_inch, cases);
 }
@@ -50,17 +56,21 @@ static void bad_iges_is_refused_with_a_reason(void **state) {
       {"a comment", "x", "0: is not an IGES file: column 73 names no section"},
       {"S      1G      2D      4P      4", "S\n", "12: a line of 80 columns expected"},
       {"/1./1/2HIN", "/2./1/2HIN", "2: the scale of the model is not 1: such files are not read"},
-      {"/1./1/2HIN", "/1./3/2HIN", "2: the unit of length is unknown; expected a flag of 1, 2 or 4 to 11"},
+      {"/1./1/2HIN", "/1./3/2HIN",
+       "2: the unit of length is unknown; expected a flag of 1, 2 or 4 to 11"},
       {"     128       2 ", "     128       9 ",
        "6: entity 128 at D3: its directory entry points outside the parameter section"},
-      {"     128       2 ", "     128       1 ", "6: entity 128 at D3: its parameters belong to another entity"},
+      {"     128       2 ", "     128       1 ",
+       "6: entity 128 at D3: its parameters belong to another entity"},
       {"       1       000000000D      3", "       3       000000000D      3",
        "6: entity 128 at D3: it names a transformation that is none"},
       {"128/1/1/1/1/", "128/9/9/1/1/", "6: entity 128 at D3: parameters are missing"},
-      {"128/1/1/1/1/", "128/1/1/0/1/", "6: entity 128 at D3: a number of points, degree or flag is out of range"},
+      {"128/1/1/1/1/", "128/1/1/0/1/",
+       "6: entity 128 at D3: a number of points, degree or flag is out of range"},
       {"128/1/1/1/1/", "128/1/1/2/1/", "6: entity 128 at D3: it has too few points for its degree"},
       {"1.0D+0 ", "1.0F+0 ", "6: entity 128: \"1.0F+0\" is not a number"},
-      {"1./1./1./1./0.", "1./1./1./-1/0.", "6: entity 128 at D3: it has a weight that is not positive"},
+      {"1./1./1./1./0.", "1./1./1./-1/0.",
+       "6: entity 128 at D3: it has a weight that is not positive"},
       {"     128       2 ", "     114       2 ",
        "0: has no B-spline surface (entity 128); expected surfaces saved as NURBS"},
   };
@@ -68,9 +78,10 @@ static void bad_iges_is_refused_with_a_reason(void **state) {
 }
 
 static void bad_json_is_refused_with_a_reason(void **state) {
-  static const char good[] = "{\"unit\": \"cm\", \"surfaces\": [{\"degree\": [1, 1], \"count\": [2, 2],\n"
-                             "\"knots_u\": [0, 0, 1, 1], \"knots_v\": [0, 0, 1, 1],\n"
-                             "\"points\": [[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 1]]}]}";
+  static const char good[] =
+      "{\"unit\": \"cm\", \"surfaces\": [{\"degree\": [1, 1], \"count\": [2, 2],\n"
+      "\"knots_u\": [0, 0, 1, 1], \"knots_v\": [0, 0, 1, 1],\n"
+      "\"points\": [[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 1]]}]}";
   static const bad_case cases[] = {
       {"cm", "inch", "0: unit: expected m, cm or mm"},
       {"[1, 1]", "[1]", "0: surfaces[0].degree: expected two whole numbers from 1 on"},
@@ -80,7 +91,8 @@ static void bad_json_is_refused_with_a_reason(void **state) {
       {"[0, 0, 1, 1]", "[0, 0, 0, 0]", "0: surfaces[0] has knots with an empty domain"},
       {"\"knots_u\"", "\"weights\": [1, 1, 1], \"knots_u\"",
        "0: surfaces[0].weights: expected a number for each point"},
-      {"\"knots_u\"", "\"weights\": [1, 1, 1, 0], \"knots_u\"", "0: surfaces[0] has a weight that is not positive"},
+      {"\"knots_u\"", "\"weights\": [1, 1, 1, 0], \"knots_u\"",
+       "0: surfaces[0] has a weight that is not positive"},
       {"\"surfaces\"", "\"surface\"", "0: has no surfaces; expected a map with unit and surfaces"},
   };
   lam_text text = {.arena = *state};

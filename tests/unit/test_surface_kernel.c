@@ -1,13 +1,14 @@
 /* Spline surfaces as such: forms and directions, derivatives, exact changes. */
 #include "surf/directions.h"
-#include "surf/spline_surface.h"
+#include "surf/spline/spline_surface.h"
 #include "tests/unit/spline_surface_fixture.h"
 
 enum { SURFACES = 18 };
 
 static lam_spline_surface example(int k) {
   int degree[2] = {1 + k % 4, 1 + (k / 4) % 3};
-  lam_spline_surface s = {.degree = {degree[0], degree[1]}, .count = {degree[0] + 1 + k % 3, degree[1] + 1 + k % 5}};
+  lam_spline_surface s = {.degree = {degree[0], degree[1]},
+                          .count = {degree[0] + 1 + k % 3, degree[1] + 1 + k % 5}};
   int total = s.count[0] * s.count[1];
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, total);
   double *weights = LAM_NEW(arena, double, total);
@@ -21,8 +22,9 @@ static lam_spline_surface example(int k) {
   return s;
 }
 
-/* (u, v, uv) at (.5, .5): E = G = 1.25, F = .25, area sqrt 1.5, M = 1 / sqrt 1.5, n = (-1,-1,2) / sqrt 6, K = -M^2
- * / 1.5 = -4/9, H = -F M / 1.5 = -.1360827635. The parameter lines are straight, so asymptotic. */
+/* (u, v, uv) at (.5, .5): E = G = 1.25, F = .25, area sqrt 1.5, M = 1 / sqrt 1.5, n = (-1,-1,2) /
+ * sqrt 6, K = -M^2 / 1.5 = -4/9, H = -F M / 1.5 = -.1360827635. The parameter lines are straight,
+ * so asymptotic. */
 static void test_forms_of_a_saddle(void **state) {
   (void)state;
   const lam_jet jet = {{0.5, 0.5, 0.25}, {1, 0, 0.5}, {0, 1, 0.5}, {0, 0, 0}, {0, 0, 1}, {0, 0, 0}};
@@ -40,13 +42,15 @@ static void test_forms_of_a_saddle(void **state) {
   assert_int_equal(d.asymptotic_count, 2);
   for (int i = 0; i < 2; i++) near(d.asymptotic_uv[i].x * d.asymptotic_uv[i].y, 0, 1e-15);
   near(fabs(d.asymptotic_uv[0].x + d.asymptotic_uv[0].y), 1 / sqrt(1.25), 1e-15);
-  near(fabs(lam_dot(d.principal[0], lam_unit(lam_sub(jet.u, jet.v)))), 0, 1e-15); /* M > 0: k1 along x_u + x_v */
+  near(fabs(lam_dot(d.principal[0], lam_unit(lam_sub(jet.u, jet.v)))), 0,
+       1e-15); /* M > 0: k1 along x_u + x_v */
 }
 
-/* The same figures from II(d,d) / I(d,d) at random jets: k1, k2 in the principal directions, 0 in the asymptotic ones,
- * unit length, right angles. */
+/* The same figures from II(d,d) / I(d,d) at random jets: k1, k2 in the principal directions, 0 in
+ * the asymptotic ones, unit length, right angles. */
 static lam_jet next_jet(void) {
-  return (lam_jet){next_point(), next_point(), next_point(), next_point(), next_point(), next_point()};
+  return (lam_jet){next_point(), next_point(), next_point(),
+                   next_point(), next_point(), next_point()};
 }
 
 static double normal_curvature(const lam_curvature *c, lam_vec2 d) {
@@ -65,7 +69,8 @@ static void test_directions(void **state) {
     near(normal_curvature(&c, d.principal_uv[0]), c.k1, 1e-10 * size);
     near(normal_curvature(&c, d.principal_uv[1]), c.k2, 1e-10 * size);
     near(lam_dot(d.principal[0], d.principal[1]), 0, 1e-14);
-    near3(lam_along(lam_scale(jet.u, d.principal_uv[0].x), d.principal_uv[0].y, jet.v), d.principal[0], 1e-11);
+    near3(lam_along(lam_scale(jet.u, d.principal_uv[0].x), d.principal_uv[0].y, jet.v),
+          d.principal[0], 1e-11);
     assert_int_equal(d.asymptotic_count, c.K < 0 ? 2 : 0);
     saddles += c.K < 0;
     for (int i = 0; i < d.asymptotic_count; i++) {
@@ -76,18 +81,21 @@ static void test_directions(void **state) {
   assert_true(saddles > 0 && saddles < 200); /* both sorts were tried */
   const lam_jet singular = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, 1}};
   assert_int_equal(lam_jet_directions(&singular).asymptotic_count, 0);
-  assert_true(isnan(lam_jet_darboux(&singular, (lam_vec2){1, 0}, (lam_vec2){0, 0}).normal_curvature));
+  assert_true(
+      isnan(lam_jet_darboux(&singular, (lam_vec2){1, 0}, (lam_vec2){0, 0}).normal_curvature));
 }
 
-/* The circle of latitude b on a sphere of radius R with outward normal: normal curvature -1/R, geodesic curvature
- * tan b / R, no geodesic torsion. The helix of slope angle a on a cylinder of radius r: -cos^2 a / r, 0 and the torsion
- * sin a cos a / r of the helix, as it is a geodesic. A ruling of (u, v, uv): torsion +-sqrt(-K). */
+/* The circle of latitude b on a sphere of radius R with outward normal: normal curvature -1/R,
+ * geodesic curvature tan b / R, no geodesic torsion. The helix of slope angle a on a cylinder of
+ * radius r: -cos^2 a / r, 0 and the torsion sin a cos a / r of the helix, as it is a geodesic. A
+ * ruling of (u, v, uv): torsion +-sqrt(-K). */
 static void test_darboux(void **state) {
   (void)state;
   double R = 2.5, b = 0.6, u = 0.8, cu = cos(u), su = sin(u), cb = cos(b), sb = sin(b);
-  const lam_jet sphere = {lam_v3(R * cb * cu, R * cb * su, R * sb),   lam_v3(-R * cb * su, R * cb * cu, 0),
-                          lam_v3(-R * sb * cu, -R * sb * su, R * cb), lam_v3(-R * cb * cu, -R * cb * su, 0),
-                          lam_v3(R * sb * su, -R * sb * cu, 0),       lam_v3(-R * cb * cu, -R * cb * su, -R * sb)};
+  const lam_jet sphere = {
+      lam_v3(R * cb * cu, R * cb * su, R * sb),   lam_v3(-R * cb * su, R * cb * cu, 0),
+      lam_v3(-R * sb * cu, -R * sb * su, R * cb), lam_v3(-R * cb * cu, -R * cb * su, 0),
+      lam_v3(R * sb * su, -R * sb * cu, 0),       lam_v3(-R * cb * cu, -R * cb * su, -R * sb)};
   lam_darboux d = lam_jet_darboux(&sphere, (lam_vec2){3, 0}, (lam_vec2){0.7, 0});
   near(d.normal_curvature, -1 / R, 1e-14);
   near(d.geodesic_curvature, tan(b) / R, 1e-14);
@@ -100,14 +108,15 @@ static void test_darboux(void **state) {
   near(d.normal_curvature, -cos(a) * cos(a) / r, 1e-15);
   near(d.geodesic_curvature, 0, 1e-15);
   near(d.geodesic_torsion, sin(a) * cos(a) / r, 1e-15);
-  const lam_jet saddle = {{0.5, 0.5, 0.25}, {1, 0, 0.5}, {0, 1, 0.5}, {0, 0, 0}, {0, 0, 1}, {0, 0, 0}};
+  const lam_jet saddle = {{0.5, 0.5, 0.25}, {1, 0, 0.5}, {0, 1, 0.5},
+                          {0, 0, 0},        {0, 0, 1},   {0, 0, 0}};
   d = lam_jet_darboux(&saddle, (lam_vec2){1, 0}, (lam_vec2){0, 0});
   near(d.normal_curvature, 0, 1e-15);
   near(fabs(d.geodesic_torsion), 2.0 / 3, 1e-15);
 }
 
-/* On a spline surface along u = 2 + t, v = 2 - t / 2 + t^2: n' = -normal t - torsion s against differences, and the
- * curvature of the space curve is that of its parts. */
+/* On a spline surface along u = 2 + t, v = 2 - t / 2 + t^2: n' = -normal t - torsion s against
+ * differences, and the curvature of the space curve is that of its parts. */
 static void test_darboux_equations(void **state) {
   (void)state;
   lam_spline_surface s = example(2);
@@ -134,10 +143,13 @@ static void test_darboux_equations(void **state) {
   lam_darboux d = lam_jet_darboux(&jet, (lam_vec2){1, -0.5}, (lam_vec2){0, 2});
   double speed = lam_length(lam_along(jet.u, -0.5, jet.v));
   lam_vec3 turn = lam_scale(lam_sub(normal[1], normal[0]), 1 / (2 * h * speed));
-  near3(turn, lam_along(lam_scale(d.tangent, -d.normal_curvature), -d.geodesic_torsion, d.side), 1e-6);
+  near3(turn, lam_along(lam_scale(d.tangent, -d.normal_curvature), -d.geodesic_torsion, d.side),
+        1e-6);
   lam_vec3 second = lam_scale(lam_sub(lam_add(x[0], x[1]), lam_scale(jet.x, 2)), 1 / (h * h));
-  second = lam_scale(lam_along(second, -lam_dot(second, d.tangent), d.tangent), 1 / (speed * speed));
-  near3(second, lam_along(lam_scale(d.normal, d.normal_curvature), d.geodesic_curvature, d.side), 1e-5);
+  second =
+      lam_scale(lam_along(second, -lam_dot(second, d.tangent), d.tangent), 1 / (speed * speed));
+  near3(second, lam_along(lam_scale(d.normal, d.normal_curvature), d.geodesic_curvature, d.side),
+        1e-5);
 }
 
 /* Derivatives to order 3 against differences, and to order 2 against the other evaluation. */
@@ -169,12 +181,13 @@ static void test_derivatives(void **state) {
     lam_jet jet;
     lam_nurbs_eval(lam_nurbs_make(arena, &s), p[0], p[1], &jet);
     const lam_vec3 other[] = {jet.x, jet.v, jet.vv, jet.u, jet.uv, jet.uu};
-    const int place[] = {0, 1, 2, 4, 5, 8};
-    for (int i = 0; i < 6; i++) near3(x[place[i]], other[i], 1e-12 * (1 + lam_length(other[i])));
+    const int location[] = {0, 1, 2, 4, 5, 8};
+    for (int i = 0; i < 6; i++) near3(x[location[i]], other[i], 1e-12 * (1 + lam_length(other[i])));
   }
 }
 
-/* Insertion, elevation, parts and patches leave the surface where it is; reversal and transposition where they say. */
+/* Insertion, elevation, parts and patches leave the surface where it is; reversal and transposition
+ * where they say. */
 static void test_edits(void **state) {
   (void)state;
   const double all[] = {1, 4}, low[] = {1, 2.3};
@@ -208,7 +221,8 @@ static void test_edits(void **state) {
     for (int i = 0; i < count[0] * count[1]; i++) {
       const double u[] = {patches[i].knots[0][0], patches[i].knots[0][s.degree[0] + 1]};
       const double v[] = {patches[i].knots[1][0], patches[i].knots[1][s.degree[1] + 1]};
-      assert_int_equal(patches[i].count[0] * patches[i].count[1], (s.degree[0] + 1) * (s.degree[1] + 1));
+      assert_int_equal(patches[i].count[0] * patches[i].count[1],
+                       (s.degree[0] + 1) * (s.degree[1] + 1));
       same(&s, &patches[i], u, v);
     }
   }

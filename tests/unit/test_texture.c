@@ -1,7 +1,7 @@
 /* Prints: the picture, the places of the vertices on it, and what glTF carries of them. */
 #include "developable_fixture.h"
 #include "formats/format.h"
-#include "surf/texture.h"
+#include "surf/flatten/texture.h"
 
 extern const lam_format lam_format_gltf;
 
@@ -11,7 +11,8 @@ static double dark_share(const unsigned char *pixels, int size) {
   return dark / size / size;
 }
 
-/* Half of a checkerboard of 16 x 16 fields is dark; a letter twice as high has four times the ink. */
+/* Half of a checkerboard of 16 x 16 fields is dark; a letter twice as high has four times the ink.
+ */
 static void pictures_have_the_right_ink(void **state) {
   dev_fixture *f = *state;
   dev_near(dark_share(lam_motif_draw(f->arena, LAM_MOTIF_CHECKER, 1, 1, 256), 256), 0.5, 1e-12);
@@ -20,8 +21,8 @@ static void pictures_have_the_right_ink(void **state) {
   dev_near(large / small, 4, 0.1); /* the shorter side counts */
 }
 
-/* Through the flattening, distances on the picture are those in space, to the strain of D3 (6.6e-3 at most, .001 in the
- * mean square) times one scale; through the parameters they are not. */
+/* Through the flattening, distances on the picture are those in space, to the strain of D3 (6.6e-3
+ * at most, .001 in the mean square) times one scale; through the parameters they are not. */
 static void distances_are_kept_by_the_flattening(void **state) {
   dev_fixture *f = *state;
   lam_spline_surface s = dev_solved(f->arena, dev_case(f, "D3"));
@@ -33,13 +34,15 @@ static void distances_are_kept_by_the_flattening(void **state) {
     for (int t = 0; t < sheet->mesh.triangle_count; t++)
       for (int e = 0; e < 3; e++) {
         int a = sheet->mesh.triangles[t][e], b = sheet->mesh.triangles[t][(e + 1) % 3];
-        double on_picture = hypot(sheet->places[b].x - sheet->places[a].x, sheet->places[b].y - sheet->places[a].y);
+        double on_picture =
+            hypot(sheet->places[b].x - sheet->places[a].x, sheet->places[b].y - sheet->places[a].y);
         double scale = lam_distance(sheet->mesh.vertices[a], sheet->mesh.vertices[b]) / on_picture;
         low = fmin(low, scale);
         high = fmax(high, scale);
       }
     bool flattened = !strncmp(sheet->name, "flattening", 10);
-    if (flattened ? high / low > 1.02 : high / low < 1.5) fail_msg("%s: scales %.4g to %.4g", sheet->name, low, high);
+    if (flattened ? high / low > 1.02 : high / low < 1.5)
+      fail_msg("%s: scales %.4g to %.4g", sheet->name, low, high);
     for (int v = 0; v < sheet->mesh.vertex_count; v++)
       assert_true(sheet->places[v].x >= 0 && sheet->places[v].x <= 1 && sheet->places[v].y >= 0 &&
                   sheet->places[v].y <= 1);
@@ -50,9 +53,9 @@ static void distances_are_kept_by_the_flattening(void **state) {
   dev_near(print->sheets[2].max_stretch, 2.93, 0.005);
 }
 
-/* Places on the color scale are the distortion around a vertex: on the sheet that was flattened first all are near its
- * dark end, (1.0137 - 1)/(2.93 - 1) of it at most; along the parameters they go nearly to its light one. The triangle
- * of the largest ratio has neighbors of a little less. */
+/* Places on the color scale are the distortion around a vertex: on the sheet that was flattened
+ * first all are near its dark end, (1.0137 - 1)/(2.93 - 1) of it at most; along the parameters they
+ * go nearly to its light one. The triangle of the largest ratio has neighbors of a little less. */
 static void distortion_has_the_colors_of_its_values(void **state) {
   dev_fixture *f = *state;
   lam_spline_surface s = dev_solved(f->arena, dev_case(f, "D3"));
@@ -65,7 +68,8 @@ static void distortion_has_the_colors_of_its_values(void **state) {
       high = fmax(high, print->sheets[k].places[v].x);
     }
     assert_true(low >= 0 && low < 0.05);
-    if (k < 2 ? high > 0.0085 : high < 0.9 || high > 1) fail_msg("%s: up to %.4g", print->sheets[k].name, high);
+    if (k < 2 ? high > 0.0085 : high < 0.9 || high > 1)
+      fail_msg("%s: up to %.4g", print->sheets[k].name, high);
   }
   const unsigned char *pixels = lam_motif_draw(f->arena, LAM_MOTIF_DISTORTION, 1, 1, 64);
   for (int column = 1; column < 64; column++) /* lightness rises, so green does */
@@ -88,7 +92,8 @@ static void gltf_carries_the_print(void **state) {
   json_t *scene = json_loadb(out.data + 20, json_size, 0, &error);
   json_t *mesh = json_array_get(json_object_get(scene, "meshes"), 0);
   json_t *primitive = json_array_get(json_object_get(mesh, "primitives"), 0);
-  int accessor = (int)json_integer_value(json_object_get(json_object_get(primitive, "attributes"), "TEXCOORD_0"));
+  int accessor = (int)json_integer_value(
+      json_object_get(json_object_get(primitive, "attributes"), "TEXCOORD_0"));
   json_t *places = json_array_get(json_object_get(scene, "accessors"), (size_t)accessor);
   assert_string_equal(json_string_value(json_object_get(places, "type")), "VEC2");
   assert_int_equal(json_integer_value(json_object_get(places, "count")), 81);

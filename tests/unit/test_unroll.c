@@ -1,15 +1,17 @@
 /* Developing strips: closed forms, and the straightness of lamellas on asymptotic nets. */
-#include "fab/unroll.h"
+#include "core/numbers.h"
+#include "fab/flat/unroll.h"
 #include "fab_fixture.h"
 
 enum { n = 25 };
-static const double pi = 3.14159265358979323846;
 
 static void assert_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance)) fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
+  if (!(fabs(value - expected) <= tolerance))
+    fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
 }
 
-/* Planes through one straight line: the line stays straight, whatever the twist; all three ways agree on its length. */
+/* Planes through one straight line: the line stays straight, whatever the twist; all three ways
+ * agree on its length. */
 static void twisted_straight_strip(void **state) {
   (void)state;
   lam_vec3 x[n], m[n];
@@ -26,8 +28,9 @@ static void twisted_straight_strip(void **state) {
   assert_near(lam_straightness(flat, n), 0, 1e-14);
 }
 
-/* On a cylinder along m any polyline perpendicular to m unrolls straight; with m in the plane of an arc the strip is
- * flat already and keeps its sagitta: R (1 - cos(a/2)), over the length of the inscribed polyline. */
+/* On a cylinder along m any polyline perpendicular to m unrolls straight; with m in the plane of an
+ * arc the strip is flat already and keeps its sagitta: R (1 - cos(a/2)), over the length of the
+ * inscribed polyline. */
 static void cylinder_and_plane(void **state) {
   (void)state;
   lam_vec3 x[n], up[n], out[n];
@@ -53,15 +56,15 @@ static void cylinder_and_plane(void **state) {
   assert_near(lam_straightness(flat, n), sagitta / length, 1e-13);
 }
 
-/* A pyramid over a regular polygon: the edges lie in its faces, and unroll around the apex at the distance of the slant
- * edges. m points to the apex. */
+/* A pyramid over a regular polygon: the edges lie in its faces, and unroll around the apex at the
+ * distance of the slant edges. m points to the apex. */
 static void pyramid(void **state) {
   (void)state;
   lam_vec3 x[n], m[n];
   lam_vec2 flat[n];
   double radius = 1.5, apex = 2, slant = hypot(radius, apex);
   for (int i = 0; i < n; i++) {
-    double a = 2 * pi * i / (2 * n);
+    double a = 2 * LAM_PI * i / (2 * n);
     x[i] = lam_v3(radius * cos(a), radius * sin(a), 0);
     m[i] = lam_unit(lam_sub(lam_v3(0, 0, apex), x[i]));
   }
@@ -74,8 +77,9 @@ static void pyramid(void **state) {
   }
 }
 
-/* The case meshes of a prototype, each an optimized asymptotic net of 17 x 17 vertices, and the largest deviation it
- * measured over the 15 + 15 lines inside. By angles alone lines are straight up to the 12 digits of the files. */
+/* The case meshes of a prototype, each an optimized asymptotic net of 17 x 17 vertices, and the
+ * largest deviation it measured over the 15 + 15 lines inside. By angles alone lines are straight
+ * up to the 12 digits of the files. */
 static const struct {
   const char *path;
   double planes;
@@ -108,7 +112,8 @@ static straightness measure_net(lam_arena *arena, const char *path) {
     most.planes = fmax(most.planes, lam_straightness(flat, count));
     lam_unroll_angles(x, m, count, flat);
     most.angles = fmax(most.angles, lam_straightness(flat, count));
-    lam_unroll_triangles(x, m, 0.25 * lam_net_mean_edge(shop.net, shop.net->mesh.vertices), count, flat);
+    lam_unroll_triangles(x, m, 0.25 * lam_net_mean_edge(shop.net, shop.net->mesh.vertices), count,
+                         flat);
     most.triangles = fmax(most.triangles, lam_straightness(flat, count));
   }
   return most;
@@ -117,7 +122,8 @@ static straightness measure_net(lam_arena *arena, const char *path) {
 static void asymptotic_nets_unroll_straight(void **state) {
   for (size_t k = 0; k < sizeof nets / sizeof nets[0]; k++) {
     straightness s = measure_net(fixture_arena(state), nets[k].path);
-    print_message("%s: planes %.3g, angles %.3g, triangles %.3g\n", nets[k].path, s.planes, s.angles, s.triangles);
+    print_message("%s: planes %.3g, angles %.3g, triangles %.3g\n", nets[k].path, s.planes,
+                  s.angles, s.triangles);
     if (!(s.angles <= 1e-10)) fail_msg("%s: by angles %g", nets[k].path, s.angles);
     if (!(s.planes <= 1.15 * nets[k].planes))
       fail_msg("%s: by planes %g, expected about %g", nets[k].path, s.planes, nets[k].planes);
@@ -126,7 +132,9 @@ static void asymptotic_nets_unroll_straight(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(twisted_straight_strip), cmocka_unit_test(cylinder_and_plane), cmocka_unit_test(pyramid),
-      cmocka_unit_test_setup_teardown(asymptotic_nets_unroll_straight, fixture_setup, fixture_teardown)};
+      cmocka_unit_test(twisted_straight_strip), cmocka_unit_test(cylinder_and_plane),
+      cmocka_unit_test(pyramid),
+      cmocka_unit_test_setup_teardown(asymptotic_nets_unroll_straight, fixture_setup,
+                                      fixture_teardown)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

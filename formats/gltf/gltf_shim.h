@@ -1,0 +1,80 @@
+/* glTF binaries through tinygltf, the only C++ behind formats/gltf.c. Everything is plain constant
+ * data; nothing is kept. */
+#ifndef LAM_FORMATS_GLTF_GLTF_SHIM_H
+#define LAM_FORMATS_GLTF_GLTF_SHIM_H
+
+#include "core/error.h"
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct lam_gltf_material {
+  const char *name;
+  double color[3]; /* linear RGB */
+  double metallic, roughness;
+  bool double_sided;
+} lam_gltf_material;
+
+/* Triangles with normals, or lines when normals is NULL. Colors multiply the material's. */
+typedef struct lam_gltf_mesh {
+  const char *name;
+  int material;
+  int vertex_count;
+  const float *positions; /* 3 per vertex */
+  const float *normals;   /* 3 per vertex, unit; or NULL */
+  const float *colors;    /* 3 per vertex, linear RGB; or NULL */
+  const float *places; /* 2 per vertex, on the scene's picture from its upper left corner; NULL: no
+                          texture */
+  int index_count;
+  const int *indices;
+  /* Morph targets: displacements of positions and, with normals, of normals; 3 per vertex. May be
+   * none. */
+  int target_count;
+  const float *const *position_targets, *const *normal_targets;
+} lam_gltf_mesh;
+
+/* Every node whose mesh has morph targets runs through them: the mesh itself at 0, target k at (k +
+ * 1) seconds_per_state, changing evenly in between, then back to the beginning. */
+typedef struct lam_gltf_animation {
+  const char *name; /* NULL: no animation */
+  double seconds_per_state;
+} lam_gltf_animation;
+
+/* A text, or a number when text is NULL. */
+typedef struct lam_gltf_extra {
+  const char *name, *text;
+  double number; /* finite */
+} lam_gltf_extra;
+
+typedef struct lam_gltf_node {
+  const char *name;
+  int parent;           /* an earlier node; -1 for a root */
+  int mesh;             /* -1: none */
+  const double *matrix; /* 4 x 4, column-major; NULL: identity */
+  int extra_count;
+  const lam_gltf_extra *extras;
+} lam_gltf_node;
+
+typedef struct lam_gltf_scene {
+  const char *name;
+  int material_count, mesh_count, node_count;
+  const lam_gltf_material *materials;
+  const lam_gltf_mesh *meshes;
+  const lam_gltf_node *nodes;
+  lam_gltf_animation animation;
+  const unsigned char
+      *picture; /* a PNG file, the texture of materials of meshes with places; NULL: none */
+  size_t picture_size;
+} lam_gltf_scene;
+
+/* The bytes of a .glb file: *bytes is freed with free(). LAM_OK, LAM_NO_MEMORY or LAM_FAILED (then
+ * *bytes is NULL). The same scene gives the same bytes. */
+lam_status lam_gltf_encode(const lam_gltf_scene *scene, char **bytes, size_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,295 @@
+/* Wavefront OBJ in meters. Written: net.obj with the net's faces and its polylines, and parts.obj
+ * with all parts as groups. Read: vertices and faces; texture coordinates, normals, lines, groups
+ * and materials are passed over. */
+#include "formats/mesh/obj.h"
+#include "core/solid/triangles.h"
+#include "formats/format.h"
+#include "formats/scan.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- writing ---- */
+
+static bool has_net(const lam_model *model) { return model->net && model->net->face_count; }
+static int count(const lam_model *model) { return has_net(model) + (model->part_count > 0); }
+
+static void path(const lam_model *model, int i, lam_text *out) {
+  lam_text_add(out, i == 0 && has_net(model) ? "net.obj" : "parts.obj");
+}
+
+/* A space and a number with 12 significant digits, at most 20 of them decimals. */
+static void write_number(lam_text *out, double value) {
+  int decimals = value == 0 ? 0 : 11 - (int)floor(log10(fabs(value)));
+  lam_text_add(out, " ");
+  lam_text_number(out, value, decimals < 0 ? 0 : decimals > 20 ? 20 : decimals);
+}
+
+static void write_vertices(lam_text *out, const lam_vec3 *points, int n) {
+  for (int i = 0; i < n; i++) {
+    lam_text_add(out, "v");
+    write_number(out, points[i].x);
+    write_number(out, points[i].y);
+    write_number(out, points[i].z);
+    lam_text_add(out, "\n");
+  }
+}
+
+/* An element of n vertices; indices count from 1 in the file. A negative index ends it. */
+static void write_element(lam_text *out, const char *letter, const int *vertices, int n,
+                          int first) {
+  lam_text_add(out, letter);
+  for (int k = 0; k < n && vertices[k] >= 0; k++)
+    lam_text_printf(out, " %d", first + vertices[k] + 1);
+}
+
+void lam_obj_net(const lam_model *model, const lam_vec3 *vertices, lam_text *out) {
+  static const struct {
+    int family;
+    const char *group;
+  } groups[] = {{0, "family_0"}, {1, "family_1"}, {-1, "boundary"}};
+  write_vertices(out, vertices, model->net->vertex_count);
+  lam_text_add(out, "g net\n");
+  for (int i = 0; i < model->net->face_count; i++) {
+    write_element(out, "f", model->net->faces[i], 4, 0);
+    lam_text_add(out, "\n");
+  }
+  for (size_t g = 0; g < sizeof groups / sizeof *groups; g++) {
+    bool named = false;
+    for (int i = 0; i < model->polyline_count; i++) {
+      const lam_polyline *line = &model->polylines[i];
+      if (line->family != groups[g].family) continue;
+      if (!named) lam_text_printf(out, "g %s\n", groups[g].group);
+      named = true;
+      write_element(out, "l", line->vertices, line->count, 0);
+      if (line->closed) write_element(out, "", line->vertices, 1, 0);
+      lam_text_add(out, "\n");
+    }
+  }
+}
+
+static int write_solid(lam_text *out, const lam_trimesh *solid, int first) {
+  write_vertices(out, solid->vertices, solid->vertex_count);
+  for (int i = 0; i < solid->triangle_count; i++) {
+    write_element(out, "f", solid->triangles[i], 3, first);
+    lam_text_add(out, "\n");
+  }
+  return first + solid->vertex_count;
+}
+
+static void write_parts(const lam_model *model, lam_text *out) {
+  int first = 0;
+  for (int i = 0; i < model->part_count; i++) {
+    const lam_part *part = &model->parts[i];
+    lam_text_printf(out, "g %s\n", part->name);
+    if (!part->instance_count) first = write_solid(out, &part->solid, first);
+    for (int j = 0; j < part->instance_count; j++) {
+      lam_trimesh placed = lam_trimesh_placed(out->arena, &part->solid, &part->instances[j]);
+      first = write_solid(out, &placed, first);
+    }
+  }
+}
+
+static lam_status write(const lam_model *model, int i, lam_text *out) {
+  bool net = i == 0 && has_net(model);
+  lam_text_printf(out, "# %s: %s, meters\n", model->name, net ? "net" : "parts");
+  if (net)
+    lam_obj_net(model, model->net->vertices, out);
+  else
+    write_parts(model, out);
+  return LAM_OK;
+}
+
+/* ---- reading ---- */
+
+/* A growing list of numbers. */
+typedef struct int_list {
+  int count, capacity;
+  int *items;
+} int_list;
+
+typedef struct reader {
+  lam_scan scan;
+  lam_arena *arena;
+  int vertex_count, vertex_capacity;
+  lam_vec3 *vertices;
+  int_list corners;       /* of all faces, counted from 0 */
+  int_list starts, lines; /* per face: its first corner, where it stands */
+  int most_corners;
+} reader;
+
+static void *grown(lam_arena *arena, void *items, int n, int *capacity, size_t size) {
+  if (n < *capacity) return items;
+  *capacity = *capacity ? 2 * *capacity : 1024;
+  void *larger = lam_arena_alloc(arena, (size_t)*capacity, size);
+  if (n) memcpy(larger, items, (size_t)n * size);
+  return larger;
+}
+
+static void append(lam_arena *arena, int_list *list, int item) {
+  list->items = grown(arena, list->items, list->count, &list->capacity, sizeof *list->items);
+  list->items[list->count++] = item;
+}
+
+/* v x y z, which may be followed by a weight or a color. */
+static void read_vertex(reader *r) {
+  lam_vec3 p = {0};
+  lam_scan_point(&r->scan, "vertex",
+                 &p); /* a wrong one keeps its number, so that faces stay right */
+  r->vertices =
+      grown(r->arena, r->vertices, r->vertex_count, &r->vertex_capacity, sizeof *r->vertices);
+  r->vertices[r->vertex_count++] = p;
+}
+
+/* v, v/vt, v//vn or v/vt/vn: the first number; 0 when the word is none of these. */
+static int parse_corner(lam_word word) {
+  char text[64], *at = text, *end;
+  if (word.length >= (int)sizeof text) return 0;
+  memcpy(text, word.text, (size_t)word.length);
+  text[word.length] = 0;
+  if (strspn(text, "-0123456789/") != (size_t)word.length) return 0;
+  long first = strtol(at, &end, 10);
+  if (end == at || first > INT_MAX || first < -INT_MAX) return 0;
+  for (int field = 1; *end; field++) {
+    if (*end != '/' || field == 3) return 0;
+    at = end + 1;
+    strtol(at, &end, 10);
+  }
+  return (int)first;
+}
+
+static void read_face(reader *r) {
+  lam_word word;
+  int start = r->corners.count;
+  while (lam_scan_word(&r->scan, &word)) {
+    int corner = parse_corner(word);
+    if (corner == 0) {
+      int shown = word.length < 40 ? word.length : 40;
+      lam_error_add(r->scan.errors, r->scan.location, NULL,
+                    "face: \"%.*s\" given, a vertex number such as 12 or 12/3/4 (from 1, or "
+                    "negative) expected",
+                    shown, word.text);
+      return;
+    }
+    if (corner < -r->vertex_count) {
+      lam_error_add(r->scan.errors, r->scan.location, NULL,
+                    "face: vertex %d given, but only %d vertices stand above it", corner,
+                    r->vertex_count);
+      return;
+    }
+    append(r->arena, &r->corners, corner < 0 ? r->vertex_count + corner : corner - 1);
+  }
+  int corners = r->corners.count - start;
+  if (corners < 3 || corners > r->most_corners) {
+    const char *expected = r->most_corners == 4 ? "3 or 4" : "3 or more";
+    lam_error_add(r->scan.errors, r->scan.location, NULL, "face: %d corners given, %s expected",
+                  corners, expected);
+    return;
+  }
+  append(r->arena, &r->starts, start);
+  append(r->arena, &r->lines, r->scan.location.line);
+}
+
+static void pass_over(reader *r) { (void)r; }
+
+static const struct {
+  const char *name;
+  void (*read)(reader *r);
+} statements[] = {
+    {"v", read_vertex}, {"f", read_face}, {"vt", pass_over},     {"vn", pass_over},
+    {"vp", pass_over},  {"l", pass_over}, {"p", pass_over},      {"g", pass_over},
+    {"o", pass_over},   {"s", pass_over}, {"usemtl", pass_over}, {"mtllib", pass_over},
+};
+
+static void read_statement(reader *r) {
+  lam_word word;
+  if (!lam_scan_word(&r->scan, &word)) return;
+  for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
+    if (lam_word_is(word, statements[i].name)) {
+      statements[i].read(r);
+      return;
+    }
+  int shown = word.length < 40 ? word.length : 40;
+  lam_error_add(r->scan.errors, r->scan.location, NULL,
+                "\"%.*s\" given, a statement such as v or f expected", shown, word.text);
+}
+
+/* Vertices may stand below the faces that use them, so their numbers are checked at the end. */
+static void check_indices(reader *r) {
+  for (int i = 0; i < r->starts.count && !lam_scan_gave_up(&r->scan); i++) {
+    int end = i + 1 < r->starts.count ? r->starts.items[i + 1] : r->corners.count;
+    for (int k = r->starts.items[i]; k < end; k++) {
+      if (r->corners.items[k] < r->vertex_count) continue;
+      r->scan.location.line = r->lines.items[i];
+      lam_error_add(r->scan.errors, r->scan.location, NULL,
+                    "face: vertex %d given, but the file has %d", r->corners.items[k] + 1,
+                    r->vertex_count);
+      break;
+    }
+  }
+}
+
+static bool read_all(reader *r) {
+  do read_statement(r);
+  while (!lam_scan_gave_up(&r->scan) && lam_scan_line(&r->scan));
+  if (lam_scan_failed(&r->scan)) return false;
+  check_indices(r);
+  r->scan.location.line = 0;
+  if (!r->starts.count) lam_error_add(r->scan.errors, r->scan.location, NULL, "has no faces");
+  append(r->arena, &r->starts, r->corners.count);
+  return !lam_scan_failed(&r->scan);
+}
+
+static bool read_mesh(lam_arena *arena, const char *bytes, size_t size, lam_location location,
+                      lam_errors *errors, lam_mesh *mesh) {
+  reader r = {.scan = lam_scan_begin(arena, bytes, size, location, errors),
+              .arena = arena,
+              .most_corners = 4};
+  if (!read_all(&r)) return false;
+  *mesh = (lam_mesh){
+      .vertex_count = r.vertex_count, .vertices = r.vertices, .face_count = r.starts.count - 1};
+  mesh->faces = lam_arena_alloc(arena, (size_t)mesh->face_count, sizeof *mesh->faces);
+  for (int i = 0; i < mesh->face_count; i++) {
+    const int *c = r.corners.items + r.starts.items[i];
+    int corners = r.starts.items[i + 1] - r.starts.items[i];
+    for (int k = 0; k < 4; k++) mesh->faces[i][k] = k < corners ? c[k] : -1;
+  }
+  return true;
+}
+
+/* A polygon is cut into the fan of triangles at its first corner. */
+static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam_location location,
+                           lam_errors *errors, lam_trimesh *mesh) {
+  reader r = {.scan = lam_scan_begin(arena, bytes, size, location, errors),
+              .arena = arena,
+              .most_corners = INT_MAX};
+  if (!read_all(&r)) return false;
+  int faces = r.starts.count - 1;
+  *mesh = (lam_trimesh){.vertex_count = r.vertex_count, .vertices = r.vertices};
+  mesh->triangles =
+      lam_arena_alloc(arena, (size_t)(r.corners.count - 2 * faces), sizeof *mesh->triangles);
+  for (int i = 0; i < faces; i++)
+    for (int k = r.starts.items[i] + 2; k < r.starts.items[i + 1]; k++) {
+      int *t = mesh->triangles[mesh->triangle_count++];
+      t[0] = r.corners.items[r.starts.items[i]];
+      t[1] = r.corners.items[k - 1];
+      t[2] = r.corners.items[k];
+    }
+  return true;
+}
+
+const lam_format lam_format_obj = {
+    .name = "obj",
+    .doc = "The net with its faces and polylines, and the parts as groups, in meters; meshes are "
+           "read from it, and "
+           "free-form surfaces and curves.",
+    .ending = "obj",
+    .count = count,
+    .path = path,
+    .write = write,
+    .read_mesh = read_mesh,
+    .read_triangles = read_triangles,
+    .read_surfaces = lam_obj_read_surfaces,
+    .read_curves = lam_obj_read_curves,
+};

@@ -1,0 +1,16 @@
+/* The picture: the scene of formats/pov.c, rendered by POV-Ray. The program starts it; this row
+ * gives its name. */
+#include "formats/format.h"
+
+static int count(const lam_model *model) { return model->picture.setting != NULL; }
+
+static void path(const lam_model *model, int i, lam_text *name) {
+  (void)i;
+  lam_text_printf(name, "%s.png", model->name);
+}
+
+const lam_format lam_format_png = {.name = "png",
+                                   .doc =
+                                       "NAME.png: the scene rendered by POV-Ray (needs pov too).",
+                                   .count = count,
+                                   .path = path};

@@ -1,0 +1,17 @@
+/* The layers of sheet drawings: names and colors, the same in every format. */
+#ifndef LAM_FORMATS_SHEETS_LAYER_H
+#define LAM_FORMATS_SHEETS_LAYER_H
+
+#include "core/model.h"
+
+typedef struct lam_layer_style {
+  const char *name;
+  int aci;           /* AutoCAD color index */
+  const char *color; /* the same color for the web */
+  const char *doc;
+} lam_layer_style;
+
+/* In the order of lam_layer. */
+extern const lam_layer_style lam_layer_styles[LAM_LAYER_COUNT];
+
+#endif

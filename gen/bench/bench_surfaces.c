@@ -1,0 +1,112 @@
+/* Surfaces of least area: three methods from the same start to within a millionth of the least
+ * area. */
+#include "bench/bench.h"
+#include "surf/area/least_area.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { SPANS = 8, MOST = 400, REPEATS = 3 };
+
+/* Examples 1, 3 and 4 of Wu & Wang: x, y, z and weight of the boundary points, and the least area,
+ * extrapolated from splines with up to 32 x 32 spans. */
+static const struct {
+  const char *name;
+  double least, points[12][4];
+} boundaries[] = {{"example 1",
+                   12.83575753,
+                   {{-1, 2, 1, 2},
+                    {-1, 0, 2.72, 1},
+                    {-1, 0, -2.72, 1},
+                    {-1, -2, -1, 2},
+                    {-0.5, 2, -2, 1},
+                    {-0.5, -2, 2, 1},
+                    {0.5, 2, -2, 1},
+                    {0.5, -2, 2, 1},
+                    {1, 2, 1, 2},
+                    {1, 0, 2.72, 1},
+                    {1, 0, -2.72, 1},
+                    {1, -2, -1, 2}}},
+                  {"example 3",
+                   2.834509634,
+                   {{-1, 1, 0, 1},
+                    {-1, 1, -2, 1. / 3},
+                    {1, 1, -2, 1. / 3},
+                    {1, 1, 0, 1},
+                    {0.75, 1, 0, 0.2},
+                    {-0.75, 1, 0, 0.2},
+                    {0.5, -1, 0, 0.2},
+                    {-0.5, -1, 0, 0.2},
+                    {-0.5, -1, 0, 1},
+                    {-0.5, -1, -1, 1. / 3},
+                    {0.5, -1, -1, 1. / 3},
+                    {0.5, -1, 0, 1}}},
+                  {"example 4",
+                   8.258297188,
+                   {{-1, 1, 0, 1},
+                    {-1, 1, -2, 1. / 3},
+                    {1, 1, -2, 1. / 3},
+                    {1, 1, 0, 1},
+                    {-3, 1, 0, 1. / 3},
+                    {3, 1, 0, 1. / 3},
+                    {-3, -1, 0, 1. / 3},
+                    {3, -1, 0, 1. / 3},
+                    {-1, -1, 0, 1},
+                    {-1, -1, -2, 1. / 3},
+                    {1, -1, -2, 1. / 3},
+                    {1, -1, 0, 1}}}};
+
+static lam_spline_surface boundary(lam_arena *arena, const double given[12][4]) {
+  static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+  lam_vec3 *points = LAM_NEW(arena, lam_vec3, 16);
+  double *weights = LAM_NEW(arena, double, 16);
+  for (int k = 0, from = 0; k < 16; k++) {
+    bool inner = k / 4 % 3 && k % 4 % 3;
+    points[k] = inner ? lam_v3(0, 0, 0) : lam_v3(given[from][0], given[from][1], given[from][2]);
+    weights[k] = inner ? 1 : given[from][3];
+    from += !inner;
+  }
+  return (lam_spline_surface){NULL, {3, 3}, {4, 4}, {knots, knots}, points, weights};
+}
+
+static void show(lam_bench *bench, const char *name, const char *method,
+                 const lam_least_area_result *result, double least, double seconds) {
+  double excess = lam_surface_area(bench->arena, &result->surface, 8) / least - 1;
+  if (bench->json)
+    json_array_append_new(
+        bench->json, json_pack("{s:s, s:s, s:s, s:i, s:b, s:f, s:f}", "section", "surfaces",
+                               "boundary", name, "method", method, "iterations", result->iterations,
+                               "reached", result->converged, "excess", excess, "total", seconds));
+  else
+    printf("%-10s  %-15s %6d steps  %8.3f s  excess %.1e%s\n", name, method, result->iterations,
+           seconds, excess, result->converged ? "" : "  (not reached)");
+}
+
+bool lam_bench_surfaces(lam_bench *bench) {
+  static const char *const methods[] = {"Newton", "I-functional", "L-BFGS", "coarse to fine"};
+  if (!bench->json)
+    printf("\nleast area on %d x %d spans, to 1e-6 above the least area, from the same start\n",
+           SPANS, SPANS);
+  for (size_t b = 0; b < sizeof boundaries / sizeof *boundaries; b++)
+    for (int m = 0; m < 4; m++) {
+      lam_arena_mark mark = lam_arena_mark_get(bench->arena);
+      lam_spline_surface coarse = boundary(bench->arena, boundaries[b].points), start;
+      coarse = lam_least_area_dirichlet(bench->arena, &coarse);
+      start = lam_spline_surface_refine(bench->arena, &coarse, SPANS);
+      lam_least_area_options options = lam_least_area_defaults();
+      options.most = MOST;
+      options.enough = m < 3 ? boundaries[b].least * (1 + 1e-6) : 0;
+      if (m < 3) options.method = (lam_least_area_method)m;
+      lam_least_area_result result = {0};
+      double fastest = INFINITY;
+      for (int k = 0; k < REPEATS; k++) {
+        double since = lam_bench_clock();
+        result = m < 3 ? lam_least_area_minimize(bench->arena, &start, &options)
+                       : lam_least_area_solve(bench->arena, &coarse, SPANS, &options);
+        fastest = fmin(fastest, lam_bench_clock() - since);
+      }
+      show(bench, boundaries[b].name, methods[m], &result, boundaries[b].least, fastest);
+      lam_arena_release(bench->arena, mark);
+    }
+  return true;
+}

@@ -1,0 +1,38 @@
+/* The list of constraints. To add one: write its file, and add its line here. */
+#include "con/constraint.h"
+
+/* clang-format off */
+#define CONSTRAINTS(row) \
+  row(planar_star) \
+  row(planar_face) \
+  row(orthogonal) \
+  row(angle) \
+  row(edge_length) \
+  row(boundary_length) \
+  row(fairness) \
+  row(closeness) \
+  row(handle) \
+  row(proximity) \
+  row(glide) \
+  row(opposite_edges) \
+  row(spherical_star) \
+  row(geodesic_parallel) \
+  row(opposite_angles) \
+  row(equal_angles) \
+  row(equal_edges) \
+  row(jacobi) \
+  row(strip_widths) \
+  row(circular) \
+  row(conical) \
+  row(isothermic) \
+  row(s_isothermic)
+/* clang-format on */
+
+#define DECLARE(name) extern const lam_constraint_kind lam_con_##name;
+CONSTRAINTS(DECLARE)
+
+#define POINT(name) &lam_con_##name.head,
+static const lam_row_head *const rows[] = {CONSTRAINTS(POINT)};
+
+const lam_registry lam_constraints = {"constraints", "constraint", rows,
+                                      sizeof rows / sizeof *rows};

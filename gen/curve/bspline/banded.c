@@ -1,0 +1,35 @@
+#include "curve/bspline/banded.h"
+#include <float.h>
+#include <math.h>
+
+lam_banded lam_banded_make(lam_arena *arena, int n, int half) {
+  return (lam_banded){n, half, LAM_NEW(arena, double, (size_t)n *(2 * half + 1))};
+}
+
+bool lam_banded_factor(lam_banded *a) {
+  for (int k = 0; k < a->n; k++) {
+    double pivot = *lam_banded_at(a, k, k), most = 0;
+    int end = k + a->half < a->n - 1 ? k + a->half : a->n - 1;
+    for (int j = k; j <= end; j++) most = fmax(most, fabs(*lam_banded_at(a, k, j)));
+    if (!(fabs(pivot) > 16 * DBL_EPSILON * most)) return false;
+    for (int i = k + 1; i <= end; i++) {
+      double factor = *lam_banded_at(a, i, k) /= pivot;
+      for (int j = k + 1; factor != 0 && j <= end; j++)
+        *lam_banded_at(a, i, j) -= factor * *lam_banded_at(a, k, j);
+    }
+  }
+  return true;
+}
+
+void lam_banded_solve(const lam_banded *a, int dimension, double *b) {
+  for (int i = 0; i < a->n; i++)
+    for (int j = i > a->half ? i - a->half : 0; j < i; j++)
+      for (int d = 0; d < dimension; d++)
+        b[i * dimension + d] -= *lam_banded_at(a, i, j) * b[j * dimension + d];
+  for (int i = a->n - 1; i >= 0; i--) {
+    for (int j = i + 1; j <= i + a->half && j < a->n; j++)
+      for (int d = 0; d < dimension; d++)
+        b[i * dimension + d] -= *lam_banded_at(a, i, j) * b[j * dimension + d];
+    for (int d = 0; d < dimension; d++) b[i * dimension + d] /= *lam_banded_at(a, i, i);
+  }
+}

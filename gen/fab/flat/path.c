@@ -1,0 +1,98 @@
+#include "fab/flat/path.h"
+#include "core/numbers.h"
+
+#include <math.h>
+#include <string.h>
+
+lam_path *lam_paths_add(lam_paths *paths, lam_layer layer, bool closed, int count,
+                        const lam_vec2 *points) {
+  if (paths->count == paths->capacity) {
+    int capacity = paths->capacity ? 2 * paths->capacity : 32;
+    lam_path *items = LAM_NEW(paths->arena, lam_path, capacity);
+    if (paths->count) memcpy(items, paths->items, (size_t)paths->count * sizeof *items);
+    paths->items = items;
+    paths->capacity = capacity;
+  }
+  lam_path *path = &paths->items[paths->count++];
+  *path = (lam_path){layer, closed, false, count, LAM_NEW(paths->arena, lam_vec2, count)};
+  if (count) memcpy(path->points, points, (size_t)count * sizeof *points);
+  return path;
+}
+
+/* A regular n-gon of circumradius R has the area n/2 R^2 sin(2 pi/n); it equals pi r^2 for R = r
+ * sqrt(2 pi / (n sin(2 pi/n))). */
+void lam_paths_hole(lam_paths *paths, lam_vec2 center, double diameter) {
+  enum { CORNERS = 48 };
+  double step = 2 * LAM_PI / CORNERS;
+  double radius = diameter / 2 * sqrt(step / sin(step));
+  lam_vec2 points[CORNERS];
+  for (int i = 0; i < CORNERS; i++)
+    points[i] = lam_v2(center.x + radius * cos(step * i), center.y + radius * sin(step * i));
+  lam_paths_add(paths, LAM_LAYER_CUT, true, CORNERS, points)->hole = true;
+}
+
+lam_vec2 lam_motion_apply(const lam_motion *placement, lam_vec2 point) {
+  return lam_v2(placement->cosine * point.x - placement->sine * point.y + placement->move.x,
+                placement->sine * point.x + placement->cosine * point.y + placement->move.y);
+}
+
+lam_path *lam_paths_placed(lam_arena *arena, const lam_path *paths, int count,
+                           const lam_motion *placement) {
+  lam_path *placed = LAM_NEW(arena, lam_path, count);
+  for (int i = 0; i < count; i++) {
+    placed[i] = paths[i];
+    placed[i].points = LAM_NEW(arena, lam_vec2, paths[i].count);
+    for (int k = 0; k < paths[i].count; k++)
+      placed[i].points[k] = lam_motion_apply(placement, paths[i].points[k]);
+  }
+  return placed;
+}
+
+void lam_paths_bounds(const lam_path *paths, int count, lam_vec2 *min, lam_vec2 *max) {
+  bool any = false;
+  *min = *max = lam_v2(0, 0);
+  for (int i = 0; i < count; i++)
+    for (int k = 0; k < paths[i].count; k++) {
+      lam_vec2 point = paths[i].points[k];
+      if (!any) *min = *max = point;
+      any = true;
+      *min = lam_v2(fmin(min->x, point.x), fmin(min->y, point.y));
+      *max = lam_v2(fmax(max->x, point.x), fmax(max->y, point.y));
+    }
+}
+
+double lam_path_area(const lam_path *path) {
+  double twice = 0;
+  for (int i = 0, j = path->count - 1; i < path->count; j = i++) {
+    lam_vec2 a = path->points[j], b = path->points[i];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
+
+double lam_paths_area(const lam_path *paths, int count) {
+  double area = 0;
+  for (int i = 0; i < count; i++)
+    if (paths[i].layer == LAM_LAYER_CUT && paths[i].closed)
+      area += fabs(lam_path_area(&paths[i])) * (paths[i].hole ? -1 : 1);
+  return area;
+}
+
+/* Twice the signed area of a, b, p: on which side of the line p lies. */
+static double side_of(lam_vec2 a, lam_vec2 b, lam_vec2 p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+static bool cross(lam_vec2 a, lam_vec2 b, lam_vec2 p, lam_vec2 q) {
+  if (fmax(a.x, b.x) < fmin(p.x, q.x) || fmax(p.x, q.x) < fmin(a.x, b.x)) return false;
+  return side_of(a, b, p) * side_of(a, b, q) < 0 && side_of(p, q, a) * side_of(p, q, b) < 0;
+}
+
+long lam_path_crossings(const lam_path *path) {
+  int n = path->count;
+  const lam_vec2 *x = path->points;
+  long crossings = 0;
+  for (int i = 0; i < n; i++)
+    for (int k = i + 2; k < n; k++) crossings += cross(x[i], x[i + 1], x[k], x[(k + 1) % n]);
+  return crossings;
+}

@@ -1,0 +1,158 @@
+/* The row `frames`: the moving frame along the boundary of spline surfaces, as small plates with a
+ * pin. */
+#include "fab/workshop.h"
+#include "surf/spline/spline_surface.h"
+
+#include <string.h>
+
+typedef struct frames_keys {
+  int count, material;
+  double size, gap, thickness;
+} frames_keys;
+
+/* A plate from y = gap outward, x across, with a pin along z on its middle: closed, in one piece.
+ * The plate's faces are a grid of 3 x 3 fields, of which the middle one is lifted on top. */
+static lam_trimesh plate_with_pin(lam_arena *arena, const frames_keys *k) {
+  double s = k->size, t = k->thickness, pin = fmin(s / 4, 2 * t);
+  const double x[4] = {-s / 2, -pin / 2, pin / 2, s / 2};
+  const double y[4] = {k->gap, k->gap + (s - pin) / 2, k->gap + (s + pin) / 2, k->gap + s};
+  lam_trimesh mesh = {36, LAM_NEW(arena, lam_vec3, 36), 0, NULL};
+  mesh.triangles = (int(*)[3])lam_arena_alloc(arena, 2 * (9 + 9 + 12 + 4), sizeof *mesh.triangles);
+  for (int i = 0; i < 16; i++) {
+    mesh.vertices[i] = lam_v3(x[i % 4], y[i / 4], t / 2);
+    mesh.vertices[16 + i] = lam_v3(x[i % 4], y[i / 4], -t / 2);
+  }
+  static const int middle[4] = {5, 6, 10, 9}, rim[12] = {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4};
+  for (int i = 0; i < 4; i++)
+    mesh.vertices[32 + i] = lam_along(mesh.vertices[middle[i]], s, lam_v3(0, 0, 1));
+#define QUAD(a, b, c, d)                                                                           \
+  memcpy(mesh.triangles[mesh.triangle_count++], (int[3]){a, b, c}, sizeof(int[3]));                \
+  memcpy(mesh.triangles[mesh.triangle_count++], (int[3]){a, c, d}, sizeof(int[3]))
+  for (int f = 0; f < 9; f++) {
+    int a = f / 3 * 4 + f % 3;
+    QUAD(16 + a, 16 + a + 4, 16 + a + 5, 16 + a + 1);
+    if (f == 4) continue;
+    QUAD(a, a + 1, a + 5, a + 4);
+  }
+  for (int i = 0; i < 12; i++) {
+    int a = rim[i], b = rim[(i + 1) % 12];
+    QUAD(a, 16 + a, 16 + b, b);
+  }
+  for (int i = 0; i < 4; i++) {
+    int next = (i + 1) % 4;
+    QUAD(middle[i], middle[next], 32 + next, 32 + i);
+  }
+  QUAD(32, 33, 34, 35);
+#undef QUAD
+  return mesh;
+}
+
+/* Along side r1, r2, r3 or r4: x along the curve, y outward in the tangent plane, z along the
+ * normal. Returns how far the normal is from the osculating plane's: 0 for asymptotic curves; NaN
+ * where the curve is straight. */
+static double frame_at(const lam_spline_surface *s, const lam_nurbs *nurbs, int side, double t,
+                       lam_pose *frame) {
+  lam_jet jet;
+  double at[2] = {side == 3, side == 2}, place[2];
+  at[side % 2] = t;
+  for (int d = 0; d < 2; d++) {
+    double low = s->knots[d][s->degree[d]], high = s->knots[d][s->count[d]];
+    place[d] = low + at[d] * (high - low);
+  }
+  lam_nurbs_eval(nurbs, place[0], place[1], &jet);
+  lam_vec3 along = side % 2 ? jet.v : jet.u, second = side % 2 ? jet.vv : jet.uu;
+  lam_vec3 normal = lam_unit(lam_cross(jet.u, jet.v)), bend = lam_cross(along, second);
+  bool clockwise = side == 1 || side == 2; /* the patch lies on the right */
+  frame->origin = jet.x;
+  frame->axis[0] = lam_scale(lam_unit(along), clockwise ? -1 : 1);
+  frame->axis[2] = normal;
+  frame->axis[1] = lam_cross(normal, frame->axis[0]);
+  for (int i = 0; i < 2; i++)
+    frame->axis[i] = lam_scale(frame->axis[i], -1); /* outward, still right-handed */
+  double size = lam_length(bend);
+  return size > 1e-9 * pow(lam_length(along), 2)
+             ? lam_length(lam_cross(normal, lam_scale(bend, 1 / size)))
+             : NAN;
+}
+
+static void make(lam_workshop *shop, const void *params, lam_location place) {
+  const frames_keys *k = params;
+  if (shop->surface_count == 0) {
+    lam_error_add(shop->errors, place, "kind",
+                  "frames stand along the boundary of a spline surface; expected one, such as "
+                  "asymptotic-quad");
+    return;
+  }
+  lam_part part = {.name = "T1",
+                   .kind = "frames",
+                   .family = -1,
+                   .group = -1,
+                   .congruence = lam_workshop_next_class(shop)};
+  part.material = &lam_materials[k->material];
+  part.solid = plate_with_pin(shop->arena, k);
+  part.instances = LAM_NEW(shop->arena, lam_pose, 4 * k->count * shop->surface_count);
+  double most = 0, sum = 0;
+  long curved = 0;
+  for (int i = 0; i < shop->surface_count; i++) {
+    const lam_nurbs *nurbs = lam_nurbs_make(shop->arena, &shop->surfaces[i]);
+    for (int g = 0; g < 4 * k->count; g++) {
+      double t = (g % k->count + 0.5) / k->count;
+      double sine = frame_at(&shop->surfaces[i], nurbs, g / k->count, t,
+                             &part.instances[part.instance_count++]);
+      if (isnan(sine)) continue;
+      most = fmax(most, sine);
+      sum += sine;
+      curved++;
+    }
+  }
+  lam_workshop_part(shop, part);
+  lam_stage *stage = lam_workshop_stage(shop, "frames");
+  lam_stage_measure(shop->arena, stage, "frame_count", "", part.instance_count, part.instance_count,
+                    part.instance_count);
+  if (curved)
+    lam_stage_measure(shop->arena, stage, "normal_binormal_sine", "", most, sum / (double)curved,
+                      curved);
+}
+
+#define LENGTH(key, field, text, least, most, sentence)                                            \
+  {                                                                                                \
+    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
+    .offset = offsetof(frames_keys, field), .count = 1, .initial = text, .min = least,             \
+    .max = most, .doc = sentence                                                                   \
+  }
+
+static const lam_key keys[] = {
+    {.name = "count",
+     .type = LAM_KEY_INTEGER,
+     .offset = offsetof(frames_keys, count),
+     .count = 1,
+     .initial = "7",
+     .min = 1,
+     .max = 1000,
+     .doc = "Frames along each of the four boundary curves."},
+    LENGTH("size", size, "200 mm", 1e-4, 10, "Side of the plate and length of the pin above it."),
+    LENGTH("gap", gap, "10 mm", 0, 10, "Between the boundary curve and the plate."),
+    LENGTH("thickness", thickness, "5 mm", 1e-5, 1, "Thickness of the plate."),
+    {.name = "material",
+     .type = LAM_KEY_CHOICE,
+     .offset = offsetof(frames_keys, material),
+     .count = 1,
+     .initial = "brass",
+     .choices = lam_material_names,
+     .doc = "What the plates are made of."},
+    {0}};
+
+const lam_part_kind lam_part_frames = {
+    .head = {.name = "frames",
+             .title = "Frames along the boundary",
+             .doc = "Small plates along the boundary of a spline surface, each in the tangent "
+                    "plane of the surface with a "
+                    "pin along its normal. Along asymptotic curves the plates also lie in the "
+                    "osculating planes of the "
+                    "boundary: they go on where the surface ends, and the curve bends within them. "
+                    "Keep them apart from "
+                    "each other and from a curve that bulges outward by `size` and `gap`.",
+             .source = "thesis 2.1",
+             .keys = keys,
+             .params_size = sizeof(frames_keys)},
+    .make = make};

@@ -1,0 +1,71 @@
+#include "library/templates.h"
+
+#include <dirent.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static bool is_folder(const char *path) {
+  struct stat status;
+  return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+/* The folder that the program lies in. */
+static char *program_folder(lam_arena *arena) {
+  enum { longest = 4096 };
+  char *path = lam_arena_alloc(arena, longest, 1);
+  ssize_t length = readlink("/proc/self/exe", path, longest - 1);
+  char *slash = length > 0 ? strrchr(path, '/') : NULL;
+  if (!slash) return NULL;
+  *slash = 0;
+  return path;
+}
+
+const char *lam_template_dir(lam_arena *arena) {
+  static const char *const places[] = {"../templates", "../../templates",
+                                       "../share/lamella/templates", NULL};
+  const char *chosen = getenv("LAMELLA_TEMPLATES");
+  if (chosen && *chosen) return is_folder(chosen) ? lam_arena_copy(arena, chosen) : NULL;
+  const char *folder = program_folder(arena);
+  for (int i = 0; folder && places[i]; i++) {
+    const char *path = lam_arena_printf(arena, "%s/%s", folder, places[i]);
+    if (is_folder(lam_arena_printf(arena, "%s/designs", path))) return path;
+  }
+  return NULL;
+}
+
+static int by_name(const void *a, const void *b) {
+  return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* The length of a name without ".yaml"; 0 when it ends otherwise. */
+static size_t stem_length(const char *name) {
+  size_t length = strlen(name);
+  return length > 5 && name[0] != '.' && strcmp(name + length - 5, ".yaml") == 0 ? length - 5 : 0;
+}
+
+static void close_folder(void *handle) { closedir(handle); }
+
+const char *const *lam_template_designs(lam_arena *arena) {
+  enum { most = 1000 };
+  const char **names = LAM_NEW(arena, const char *, most + 1);
+  const char *folder = lam_template_dir(arena);
+  DIR *directory = folder ? opendir(lam_arena_printf(arena, "%s/designs", folder)) : NULL;
+  if (!directory) return names;
+  lam_arena_defer(arena, close_folder, directory);
+  int count = 0;
+  for (struct dirent *entry = readdir(directory); entry && count < most;
+       entry = readdir(directory)) {
+    size_t length = stem_length(entry->d_name);
+    if (length > 0) names[count++] = lam_arena_printf(arena, "%.*s", (int)length, entry->d_name);
+  }
+  qsort(names, (size_t)count, sizeof *names, by_name);
+  return names;
+}
+
+const char *lam_template_design_path(lam_arena *arena, const char *name) {
+  const char *folder = lam_template_dir(arena);
+  return lam_arena_printf(arena, "%s/designs/%s.yaml", folder ? folder : ".", name);
+}

@@ -1,0 +1,16 @@
+/* The folder of templates: designs to start from, OpenSCAD modules, POV-Ray scenes. */
+#ifndef LAM_LIBRARY_TEMPLATES_H
+#define LAM_LIBRARY_TEMPLATES_H
+
+#include "core/arena.h"
+
+/* The folder, without a slash at the end: $LAMELLA_TEMPLATES; or templates/ beside the build folder
+ * of the program; or share/lamella/templates where it is installed. NULL when there is none. */
+const char *lam_template_dir(lam_arena *arena);
+/* The names of the shipped designs (designs/NAME.yaml without the ending), NULL-terminated and
+ * sorted; empty when there are none. */
+const char *const *lam_template_designs(lam_arena *arena);
+/* The path of a shipped design's file. */
+const char *lam_template_design_path(lam_arena *arena, const char *name);
+
+#endif

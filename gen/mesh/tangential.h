@@ -1,0 +1,22 @@
+/* Faces with an incircle, and the spheres that S-isothermic nets have at their vertices. */
+#ifndef LAM_MESH_TANGENTIAL_H
+#define LAM_MESH_TANGENTIAL_H
+
+#include "mesh/net.h"
+
+/* The circle inside a face that comes nearest to touching its four edges. */
+typedef struct lam_incircle {
+  lam_vec3 center,
+      normal; /* normal: unit, on the side from which the corners run counterclockwise */
+  double radius;
+  double tangent[4]; /* from every corner to the points where its two edges touch */
+} lam_incircle;
+
+/* Exact when the face is flat and tangential (both pairs of opposite edges have the same sum); a
+ * mean over the corners otherwise. corners: 4. */
+lam_incircle lam_incircle_of(const lam_vec3 *corners);
+/* Radius of the sphere at every vertex: the mean of the tangents of its faces. radii: vertex_count.
+ */
+void lam_net_sphere_radii(const lam_net *net, const lam_vec3 *positions, double *radii);
+
+#endif

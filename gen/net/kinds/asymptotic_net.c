@@ -1,0 +1,106 @@
+#include "con/thesis/thesis.h"
+#include "core/numbers.h"
+#include "net/net_kind.h"
+
+#include <math.h>
+
+typedef struct params {
+  bool orthogonal;
+  double angle;
+  bool angle_given;
+  bool border;
+} params;
+
+static const double right_angle = LAM_PI / 2;
+
+static void check(lam_scope *scope, const params *p, lam_location location) {
+  if (p->orthogonal && p->angle_given && fabs(p->angle - right_angle) > 1e-12)
+    lam_error_add(scope->errors, location, "net.angle",
+                  "%g deg together with orthogonal: yes; expected one of the two",
+                  p->angle * 90 / right_angle);
+}
+
+static void constrain(lam_scope *scope, const void *given, lam_location location) {
+  const params *p = given;
+  lam_star_params star = {.border = p->border};
+  check(scope, p, location);
+  lam_con_planar_star.add(scope, &star, 1, location);
+  if (p->orthogonal)
+    lam_con_orthogonal.add(scope, &star, 1, location);
+  else if (p->angle_given)
+    lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .border = p->border}, 1,
+                      location);
+}
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_location location) {
+  const params *p = given;
+  check(scope, p, location);
+  lam_thesis_planar_stars(scope, p->border);
+  if (p->orthogonal || p->angle_given)
+    lam_thesis_angle(scope, p->orthogonal ? right_angle : p->angle, p->border);
+}
+
+static double target_angle(const void *given) {
+  const params *p = given;
+  return p->orthogonal ? right_angle : p->angle_given ? p->angle : NAN;
+}
+
+static const lam_key keys[] = {
+    {.name = "orthogonal",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(params, orthogonal),
+     .count = 1,
+     .initial = "no",
+     .doc = "Right angles at every vertex: a discrete minimal surface."},
+    {.name = "angle",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_ANGLE,
+     .offset = offsetof(params, angle),
+     .count = 1,
+     .initial = "90 deg",
+     .min = 5 * LAM_PI / 180,
+     .max = 175 * LAM_PI / 180,
+     .given_offset = offsetof(params, angle_given),
+     .doc =
+         "The same crossing angle at every vertex: a constant ratio of the principal curvatures."},
+    {.name = "border",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(params, border),
+     .count = 1,
+     .initial = "yes",
+     .doc = "Vertices of the border take part: their edges are coplanar, and reentrant corners, "
+            "which have four edges, "
+            "keep the angle."},
+    {0}};
+
+static const char *const measures[] = {
+    "star_planarity", "angle_deviation", "crossing_angle", "edge_length",
+    "shortest_edge",  "foldovers",       "flatness",       NULL};
+
+const lam_net_kind lam_net_asymptotic = {
+    .head = {"asymptotic", "Asymptotic net",
+             "The polylines follow the asymptotic curves of a saddle-shaped surface: every vertex "
+             "lies in one plane with "
+             "its "
+             "four "
+             "neighbors. With right angles the surface is minimal; with another constant angle the "
+             "ratio of its principal "
+             "curvatures is constant.",
+             "N.e1 = N.e2 = 0 at every star; T1.T2 = cos(angle)", "thesis 3.3 and 3.2.4", keys,
+             sizeof(params)},
+    .use = "The asymptotic gridshell: strips normal to the net have no normal curvature, so they "
+           "unroll straight and "
+           "can be cut from straight stock. With a constant angle all nodes are alike.",
+    .trouble = "Exists only where K < 0: a dome can only flatten, which is reported as degenerate.",
+    .chart = LAM_CHART_ASYMPTOTIC,
+    .schedule = {.fairness = 0,
+                 .hold = 0,
+                 .decay = .5,
+                 .floor = 1e-3,
+                 .tolerance = 1e-12,
+                 .max_iterations = 100},
+    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .constrain = constrain,
+    .measures = measures,
+    .target_angle = target_angle,
+    .constrain_thesis = constrain_thesis};

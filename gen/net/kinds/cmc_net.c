@@ -1,0 +1,133 @@
+#include "con/thesis/thesis.h"
+#include "core/numbers.h"
+#include "net/net_kind.h"
+
+typedef struct params {
+  double radius;
+  bool isogonal;
+  double angle;
+  bool angle_given;
+} params;
+
+static void check(lam_scope *scope, const params *p, lam_location location) {
+  if (!p->isogonal && p->angle_given)
+    lam_error_add(scope->errors, location, "net.angle",
+                  "given together with isogonal: no; expected one of the two");
+}
+
+static void constrain(lam_scope *scope, const void *given, lam_location location) {
+  const params *p = given;
+  lam_spherical_star_params spheres = {p->radius, LAM_SPHERES_COMMON};
+  lam_con_spherical_star.add(scope, &spheres, 1, location);
+  check(scope, p, location);
+  if (!p->isogonal) return;
+  long skipped = scope->skipped;
+  lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .tangents = LAM_TANGENTS_CIRCLE},
+                    1, location);
+  scope->skipped = skipped; /* the same vertices */
+}
+
+/* Centers are unknowns here: one that is very far away has no digits left for the sphere. */
+static const double farthest = 1e4; /* mean edges */
+
+static void constrain_thesis(lam_scope *scope, const void *given, lam_location location) {
+  const params *p = given;
+  check(scope, p, location);
+  if (fabs(p->radius) > farthest * scope->unit)
+    lam_error_add(scope->errors, location, "net.radius",
+                  "%g m; with solver: thesis expected at most %g m, ten thousand mean edges",
+                  p->radius, farthest * scope->unit);
+  else
+    lam_thesis_equal_spheres(scope, p->radius / scope->unit, p->isogonal ? p->angle : NAN);
+}
+
+static double target_angle(const void *given) {
+  const params *p = given;
+  return p->isogonal ? p->angle : NAN;
+}
+
+static const lam_key keys[] = {
+    {.name = "radius",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_LENGTH,
+     .offset = offsetof(params, radius),
+     .count = 1,
+     .initial = "0",
+     .min = -1e12,
+     .max = 1e12,
+     .doc = "Radius of every sphere, 1 / mean curvature; negative when the centers lie behind the "
+            "surface, seen from "
+            "the tip of its normal (a tube or dome with normals outwards). 0: one radius for all "
+            "is found."},
+    {.name = "isogonal",
+     .type = LAM_KEY_FLAG,
+     .offset = offsetof(params, isogonal),
+     .count = 1,
+     .initial = "yes",
+     .doc = "One crossing angle everywhere. no: angles are free; a net of constant normal "
+            "curvature on a surface whose "
+            "mean curvature varies."},
+    {.name = "angle",
+     .type = LAM_KEY_NUMBER,
+     .unit = LAM_UNIT_ANGLE,
+     .offset = offsetof(params, angle),
+     .count = 1,
+     .initial = "90 deg",
+     .min = 5 * LAM_PI / 180,
+     .max = 175 * LAM_PI / 180,
+     .given_offset = offsetof(params, angle_given),
+     .doc = "That crossing angle. Only 90 deg makes the mean curvature constant."},
+    {0}};
+
+static const char *const measures[] = {"star_curvature",
+                                       "curvature_spread",
+                                       "star_sphericity",
+                                       "mean_curvature",
+                                       "circle_angle_deviation",
+                                       "crossing_angle",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "flatness",
+                                       NULL};
+
+const lam_net_kind lam_net_cmc = {
+    .head = {"cmc", "Net of constant normal curvature (CMC net)",
+             "Every vertex lies with its four neighbors on a sphere of one radius r, and the "
+             "families cross at right "
+             "angles: a discrete surface of constant mean curvature 1/r, as soap films under "
+             "pressure have, covered by "
+             "the diagonals of its isothermic curvature lines. As r grows without limit the net "
+             "becomes an orthogonal "
+             "asymptotic net on a minimal surface.",
+             "2 N.E1 / |E1|^2 = 2 N.E2 / |E2|^2 = 1/r, t1.t2 = cos(angle), t: tangents of circles "
+             "through three vertices",
+             "thesis 3.2, th. 3 and 5, cor. 1, def. 10", keys, sizeof(params)},
+    .use = "Gridshells of repeated parts: strips normal to the surface unroll to arcs of the one "
+           "radius r, so they are "
+           "cut from sheet, or bent to one template, whatever their place; all nodes are "
+           "right-angled and alike. "
+           "Inflated roofs and membranes under even pressure have this shape.",
+    .trouble = "Start near a surface of constant mean curvature, from the diagonals of an "
+               "isothermic (square) curvature "
+               "net: unduloid, nodoid and catenoid give one. The radius grows with the design: to "
+               "get another one, leave "
+               "it out, read star_curvature (1 / radius, with its sign) and change size by as "
+               "much; a radius a quarter "
+               "off, or of the wrong sign, squeezes edges until the net collapses or stalls. "
+               "Closed rings and fixed "
+               "boundaries prescribe much: leave the radius out or free the boundary then. Drag "
+               "boundaries, not rings "
+               "inside, which become jagged.",
+    .chart = LAM_CHART_DIAGONAL,
+    .schedule = {.fairness = 0,
+                 .hold = 0,
+                 .decay = .5,
+                 .floor = 1e-3,
+                 .tolerance = 1e-12,
+                 .max_iterations = 100},
+    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .constrain = constrain,
+    .constrain_thesis = constrain_thesis,
+    .measures = measures,
+    .target_angle = target_angle};

@@ -1,0 +1,41 @@
+#include "net/net_kind.h"
+
+static void constrain(lam_scope *scope, const void *params, lam_location location) {
+  (void)params;
+  lam_con_planar_face.add(scope, NULL, 1, location);
+  lam_con_circular.add(scope, NULL, 1, location);
+  lam_con_isothermic.add(scope, NULL, 1, location);
+}
+
+static const char *const measures[] = {
+    "face_planarity", "circularity", "cross_ratio", "edge_length",
+    "shortest_edge",  "foldovers",   "flatness",    NULL};
+
+const lam_net_kind lam_net_isothermic = {
+    .head = {"isothermic", "Isothermic net",
+             "A circular net whose faces have the cross-ratio -1: curvature lines that divide the "
+             "surface into "
+             "infinitesimal squares. Surfaces of revolution, quadrics, minimal surfaces and "
+             "surfaces of constant mean "
+             "curvature have such nets; most surfaces do not.",
+             "circular; |e1||e3| = |e2||e4| in every face", "thesis 3.5.3, definition 25", NULL, 0},
+    .use = "Panels as square as a curved surface allows, all but similar to each other. The start "
+           "of S-isothermic nets, "
+           "and by its diagonals of nets of constant normal curvature.",
+    .trouble = "Three equations per face leave the shape hardly any freedom: the net slides along "
+               "the surface or leaves "
+               "it until its cells are square. Give the start cells of equal sides (`grid` against "
+               "`u`, `v`), "
+               "and leave the boundary free. Look at the largest move: if the net has left the "
+               "surface, the surface "
+               "has no such net near that start.",
+    .chart = LAM_CHART_PRINCIPAL,
+    .schedule = {.fairness = .02,
+                 .hold = 3,
+                 .decay = .473,
+                 .floor = 9e-4,
+                 .tolerance = 1e-12,
+                 .max_iterations = 100},
+    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .constrain = constrain,
+    .measures = measures};

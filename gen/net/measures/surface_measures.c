@@ -1,0 +1,18 @@
+/* Of the smooth surface that a net lies on. */
+#include "net/measures/measure.h"
+
+static void gauss_curvature(const lam_measuring *in, double *values) {
+  for (int v = 0; in->surface && v < in->net->mesh.vertex_count; v++) {
+    lam_jet jet;
+    lam_surface_eval(in->surface, in->parameters[v].x, in->parameters[v].y, &jet);
+    double K = lam_jet_curvature(&jet).K / (in->surface_scale * in->surface_scale);
+    if (isfinite(K)) values[v] = K;
+  }
+}
+
+const lam_measure_kind lam_measure_surface_gauss_curvature = {
+    "surface_gauss_curvature", "1/m2",
+    "Gauss curvature of the smooth surface at the vertices, edges included, where they still lie "
+    "on their parameter "
+    "lines",
+    LAM_ON_VERTICES, gauss_curvature};

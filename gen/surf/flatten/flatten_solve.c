@@ -1,0 +1,185 @@
+/* Laying flat in three stages. First, unfolding triangle after triangle tells how each is turned
+ * (flatten_unfold.c). Then, as rigid as possible: every triangle with gradient J of the map from
+ * its own plane asks for its rotation R, sum of area |J - R|^2; points and nearest rotations are
+ * improved in turn. At last Gauss-Newton on sum (l - L)^2, damped: r = |x_b - x_a| - L,  dr = (x_b
+ * - x_a)/l on b, the opposite on a. One point is held; turning costs nothing, which the damping
+ * takes care of. */
+#include "surf/flatten/flatten_parts.h"
+#include <string.h>
+
+enum { rotations = 20, MOST_STEPS = 200 };
+
+/* x: three points; p: sqrt(area), B (2 x 2: inverse of the edges at rest, as columns), cosine,
+ * sine. r = sqrt(area) ([x1 - x0, x2 - x0] B - R), by rows. */
+static void rotation_kernel(int n, const double *x, const double *p, double *r, double *J) {
+  const double R[2][2] = {{p[5], -p[6]}, {p[6], p[5]}};
+  (void)n;
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 2; k++) {
+      double b1 = p[1 + k], b2 = p[3 + k];
+      r[2 * i + k] = p[0] * ((x[2 + i] - x[i]) * b1 + (x[4 + i] - x[i]) * b2 - R[i][k]);
+      if (!J) continue;
+      double *row = J + 6 * (2 * i + k);
+      for (int c = 0; c < 6; c++) row[c] = 0;
+      row[i] = -p[0] * (b1 + b2);
+      row[2 + i] = p[0] * b1;
+      row[4 + i] = p[0] * b2;
+    }
+}
+
+static void length_kernel(int n, const double *x, const double *p, double *r, double *J) {
+  double dx = x[2] - x[0], dy = x[3] - x[1], l = hypot(dx, dy);
+  (void)n;
+  r[0] = l - p[0];
+  if (!J) return;
+  J[2] = l > 0 ? dx / l : 1;
+  J[3] = l > 0 ? dy / l : 0;
+  J[0] = -J[2];
+  J[1] = -J[3];
+}
+
+/* The shape of a triangle at rest from its side lengths; false: it has no area. */
+static bool rest(const lam_vec3 *x, const int t[3], double *p) {
+  lam_vec3 a = lam_sub(x[t[1]], x[t[0]]), b = lam_sub(x[t[2]], x[t[0]]);
+  double base = lam_length(a), along = lam_dot(a, b) / base,
+         height = lam_length(lam_cross(a, b)) / base;
+  p[0] = sqrt(base * height / 2);
+  /* edges (base, 0), (along, height): inverse [[1/base, -along/(base height)], [0, 1/height]] */
+  p[1] = 1 / base;
+  p[2] = -along / (base * height);
+  p[3] = 0;
+  p[4] = 1 / height;
+  return base > 0 && height > 0;
+}
+
+/* The rotation nearest to J: the angle of (J11 + J22, J21 - J12). */
+static void rotate(const double *x, const int t[3], double *p) {
+  double J[2][2];
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 2; k++)
+      J[i][k] = (x[2 * t[1] + i] - x[2 * t[0] + i]) * p[1 + k] +
+                (x[2 * t[2] + i] - x[2 * t[0] + i]) * p[3 + k];
+  double c = J[0][0] + J[1][1], s = J[1][0] - J[0][1], l = hypot(c, s);
+  p[5] = l > 0 ? c / l : 1;
+  p[6] = l > 0 ? s / l : 0;
+}
+
+/* angles: of the first rotations; NULL: from the points. */
+static void make_rigid(lam_arena *arena, const lam_flat_mesh *mesh, const double *angles,
+                       lam_vec2 *points) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  lam_problem *problem = lam_flat_problem(arena, mesh->vertex_count, points);
+  double(*params)[7] = lam_arena_alloc(arena, (size_t)mesh->triangle_count, sizeof *params);
+  int(*nodes)[3] = lam_arena_alloc(arena, (size_t)mesh->triangle_count, sizeof *nodes), count = 0;
+  for (int t = 0; t < mesh->triangle_count; t++) {
+    if (!rest(mesh->vertices, mesh->triangles[t], params[count])) continue;
+    if (angles) params[count][5] = cos(angles[t]), params[count][6] = sin(angles[t]);
+    memcpy(nodes[count++], mesh->triangles[t], sizeof *nodes);
+  }
+  lam_problem_add(problem, (lam_block){.name = "rotation",
+                                       .kernel = rotation_kernel,
+                                       .rows = 4,
+                                       .role = LAM_HARD,
+                                       .weight = 1,
+                                       .count = count,
+                                       .arity = 3,
+                                       .nodes = nodes[0],
+                                       .param_count = 7,
+                                       .params = params[0]});
+  problem->fixed[0] = true;
+  lam_flat_system s = lam_flat_system_make(arena, problem);
+  for (int k = 0; s.size && k < rotations; k++) {
+    for (int t = 0; (k || !angles) && t < count; t++) rotate(problem->x, nodes[t], params[t]);
+    lam_flat_system_assemble(&s);
+    if (k)
+      lam_flat_system_again(&s); /* the matrix is the same */
+    else if (!lam_flat_system_step(&s, 0))
+      break;
+    lam_flat_system_move(&s, 1);
+  }
+  for (int v = 0; v < mesh->vertex_count; v++)
+    points[v] = (lam_vec2){problem->x[2 * v], problem->x[2 * v + 1]};
+  lam_arena_release(arena, mark);
+}
+
+static void equalize(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *points,
+                     lam_flattening *result) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  lam_problem *problem = lam_flat_problem(arena, mesh->vertex_count, points);
+  double *lengths = LAM_NEW(arena, double, mesh->edge_count), extent = 0;
+  memcpy(lengths, mesh->lengths, (size_t)mesh->edge_count * sizeof *lengths);
+  for (int v = 0; v < mesh->vertex_count; v++)
+    extent = fmax(extent, hypot(points[v].x - points[0].x, points[v].y - points[0].y));
+  lam_problem_add(problem, (lam_block){.name = "length",
+                                       .kernel = length_kernel,
+                                       .rows = 1,
+                                       .role = LAM_HARD,
+                                       .weight = 1,
+                                       .count = mesh->edge_count,
+                                       .arity = 2,
+                                       .nodes = mesh->edges[0],
+                                       .param_count = 1,
+                                       .params = lengths});
+  problem->fixed[0] = true;
+  lam_flat_system s = lam_flat_system_make(arena, problem);
+  /* Rounding of coordinates limits the energy to about this. */
+  double floor = mesh->edge_count * pow(2e-16 * extent, 2), damping = 1e-6;
+  for (int tries = 0; s.size && !result->converged && tries < 2 * MOST_STEPS; tries++) {
+    double now = lam_flat_system_assemble(&s);
+    if (!lam_flat_system_step(&s, damping)) {
+      damping *= 10;
+      continue;
+    }
+    double expected = 0;
+    for (int i = 0; i < s.size; i++) expected -= s.step[i] * s.gradient[i];
+    if (expected <= 1e-13 * now + floor) {
+      result->converged = true;
+      break;
+    }
+    lam_flat_system_move(&s, 1);
+    if (lam_flat_system_sum(&s) < now) {
+      damping = fmax(1e-12, damping / 10);
+      result->iterations++;
+      continue;
+    }
+    memcpy(problem->x, s.kept, (size_t)problem->offset[problem->node_count] * sizeof *s.kept);
+    result->converged = expected <= 1e-9 * now; /* nothing but rounding keeps it from falling */
+    damping *= 10;
+  }
+  for (int v = 0; v < mesh->vertex_count; v++)
+    points[v] = (lam_vec2){problem->x[2 * v], problem->x[2 * v + 1]};
+  lam_arena_release(arena, mark);
+}
+
+/* The unfolded mesh, made rigid; where that turns triangles over or strains the sheet, the start of
+ * the mesh, if that is better. */
+static void begin(lam_arena *arena, const lam_flat_mesh *mesh, lam_vec2 *points) {
+  lam_flattening unfolded = {.points = points}, other = {0};
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  double *angles = LAM_NEW(arena, double, mesh->triangle_count);
+  size_t size = (size_t)mesh->vertex_count * sizeof *points;
+  memcpy(points, mesh->start, size);
+  lam_flat_unfold(arena, mesh, angles);
+  make_rigid(arena, mesh, angles, points);
+  lam_flat_measure(mesh, &unfolded);
+  if (unfolded.flips || unfolded.rms_strain > 1e-3) {
+    lam_vec2 *started = LAM_NEW(arena, lam_vec2, mesh->vertex_count);
+    memcpy(started, mesh->start, size);
+    make_rigid(arena, mesh, NULL, started);
+    other.points = started;
+    lam_flat_measure(mesh, &other);
+    if (other.flips < unfolded.flips ||
+        (other.flips == unfolded.flips && other.energy < unfolded.energy))
+      memcpy(points, started, size);
+  }
+  lam_arena_release(arena, mark);
+}
+
+lam_flattening lam_flatten(lam_arena *arena, const lam_flat_mesh *mesh) {
+  lam_vec2 *points = LAM_NEW(arena, lam_vec2, mesh->vertex_count);
+  lam_flattening result = {.points = points};
+  begin(arena, mesh, points);
+  equalize(arena, mesh, points, &result);
+  lam_flat_measure(mesh, &result);
+  return result;
+}

@@ -1,0 +1,193 @@
+/* Spline surfaces with listed control points: Bezier, B-spline, NURBS. */
+#include "curve/bspline/basis.h"
+#include "surf/spline/spline_surface.h"
+#include "surf/surface_kind.h"
+
+enum { MAX_POINTS = 1000 }; /* in one direction */
+
+typedef struct lam_nurbs_keys {
+  int degree[2], count[2], unit;
+  lam_list points, weights, knots[2];
+} lam_nurbs_keys;
+
+/* Checks that what is listed fits together. */
+static bool check(const lam_nurbs_keys *keys, const int degree[2], lam_location location,
+                  lam_errors *errors) {
+  static const char *const knot_names[] = {"knots_u", "knots_v"}, *const directions[] = {"u", "v"};
+  int before = errors->count, total = keys->count[0] * keys->count[1];
+  if (keys->points.count != 3 * total)
+    lam_error_add(errors, location, "points",
+                  "%d numbers given; expected %d: x, y and z of %d x %d points", keys->points.count,
+                  3 * total, keys->count[0], keys->count[1]);
+  if (keys->weights.count != 0 && keys->weights.count != total)
+    lam_error_add(errors, location, "weights",
+                  "%d weights given; expected %d: one per point, or none", keys->weights.count,
+                  total);
+  for (int i = 0; i < keys->weights.count; i++)
+    if (!(((const double *)keys->weights.items)[i] > 0)) {
+      lam_error_add(errors, location, "weights", "weight %d is %g; expected a positive number",
+                    i + 1, ((const double *)keys->weights.items)[i]);
+      break;
+    }
+  for (int d = 0; d < 2; d++) {
+    if (degree[d] >= keys->count[d]) {
+      lam_error_add(errors, location, "degree",
+                    "degree %d in direction %s; expected at most %d with %d points", degree[d],
+                    directions[d], keys->count[d] - 1, keys->count[d]);
+      continue;
+    }
+    const lam_list *knots = &keys->knots[d];
+    const char *problem =
+        knots->count ? lam_knots_problem(degree[d], keys->count[d], knots->count, knots->items)
+                     : NULL;
+    if (problem)
+      lam_error_add(errors, location, knot_names[d], "%d knots given: they %s", knots->count,
+                    problem);
+  }
+  return errors->count == before;
+}
+
+static const lam_nurbs *make(lam_arena *arena, const lam_nurbs_keys *keys, const int degree[2],
+                             lam_location location, lam_errors *errors) {
+  if (!check(keys, degree, location, errors)) return NULL;
+  int total = keys->count[0] * keys->count[1];
+  lam_vec3 *net = LAM_NEW(arena, lam_vec3, total);
+  double unit = lam_point_unit(keys->unit);
+  const double *points = keys->points.items;
+  for (int i = 0; i < total; i++)
+    net[i] = lam_scale(lam_v3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), unit);
+  lam_spline_surface shape = {.points = net,
+                              .weights = keys->weights.count ? keys->weights.items : NULL};
+  for (int d = 0; d < 2; d++) {
+    shape.degree[d] = degree[d];
+    shape.count[d] = keys->count[d];
+    shape.knots[d] = keys->knots[d].items;
+    if (keys->knots[d].count == 0) {
+      double *knots = LAM_NEW(arena, double, keys->count[d] + degree[d] + 1);
+      lam_knots_clamped(degree[d], keys->count[d], knots);
+      shape.knots[d] = knots;
+    }
+  }
+  return lam_nurbs_make(arena, &shape);
+}
+
+static const void *prepare(lam_arena *arena, const void *params, lam_location location,
+                           lam_errors *errors) {
+  const lam_nurbs_keys *keys = params;
+  return make(arena, keys, keys->degree, location, errors);
+}
+
+static const void *prepare_bezier(lam_arena *arena, const void *params, lam_location location,
+                                  lam_errors *errors) {
+  const lam_nurbs_keys *keys = params;
+  return make(arena, keys, (int[2]){keys->count[0] - 1, keys->count[1] - 1}, location, errors);
+}
+
+#define AT(member) offsetof(lam_nurbs_keys, member)
+#define DEGREE                                                                                     \
+  {                                                                                                \
+    .name = "degree", .type = LAM_KEY_INTEGER, .offset = AT(degree), .count = 2,                   \
+    .initial = "[3, 3]", .min = 1, .max = LAM_BASIS_MAX_DEGREE,                                    \
+    .doc = "Polynomial degree in u and in v; less than the number of points."                      \
+  }
+#define COUNT(most)                                                                                \
+  {                                                                                                \
+    .name = "count", .type = LAM_KEY_INTEGER, .offset = AT(count), .count = 2,                     \
+    .initial = "[4, 4]", .min = 2, .max = (most), .doc = "Number of control points in u and in v." \
+  }
+#define POINTS                                                                                     \
+  {                                                                                                \
+    .name = "points", .type = LAM_KEY_NUMBER, .offset = AT(points),                                \
+    .initial = "[0, 0, 2,  0, 3, 1,  0, 6, 1,  0, 9, 2,"                                           \
+               " 3, 0, 4,  3, 3, 3,  3, 6, 3,  3, 9, 4,"                                           \
+               " 6, 0, 4,  6, 3, 3,  6, 6, 3,  6, 9, 4,"                                           \
+               " 9, 0, 2,  9, 3, 1,  9, 6, 1,  9, 9, 2]",                                          \
+    .doc = "x, y, z of every control point, v running fastest: first all points of the first u, "  \
+           "then of the second; the "                                                              \
+           "default is a saddle of 4 x 4 points."                                                  \
+  }
+#define UNIT                                                                                       \
+  {                                                                                                \
+    .name = "unit", .type = LAM_KEY_CHOICE, .offset = AT(unit), .count = 1, .initial = "m",        \
+    .choices = lam_point_units, .doc = "Unit of the numbers in points."                            \
+  }
+#define WEIGHTS                                                                                    \
+  {                                                                                                \
+    .name = "weights", .type = LAM_KEY_NUMBER, .offset = AT(weights), .initial = "[]",             \
+    .doc = "Positive weight of every control point, in the order of points; none: all 1."          \
+  }
+#define KNOTS(direction, which)                                                                    \
+  {                                                                                                \
+    .name = "knots_" direction, .type = LAM_KEY_NUMBER, .offset = AT(knots[which]),                \
+    .initial = "[]",                                                                               \
+    .doc = "Knots in " direction ", count + degree + 1 numbers that do not decrease; none: "       \
+                                 "clamped and evenly spaced from 0 to 1."                          \
+  }
+
+static const lam_key bezier_keys[] = {COUNT(LAM_BASIS_MAX_VALUES), POINTS, WEIGHTS, UNIT, {0}};
+static const lam_key bspline_keys[] = {
+    DEGREE, COUNT(MAX_POINTS), POINTS, KNOTS("u", 0), KNOTS("v", 1), UNIT, {0}};
+static const lam_key nurbs_keys[] = {DEGREE,        COUNT(MAX_POINTS), POINTS, WEIGHTS,
+                                     KNOTS("u", 0), KNOTS("v", 1),     UNIT,   {0}};
+
+const lam_surface_kind lam_surface_bezier = {
+    .head =
+        {.name = "bezier",
+         .title = "Bezier patch",
+         .doc = "One polynomial patch over a net of control points, or one rational patch when "
+                "weights are given. "
+                "It passes through the four corner points and touches the net there; every other "
+                "point only pulls. "
+                "Good for a single calm shell with few points. The degree is one less than the "
+                "number of points in "
+                "each direction, so many points make the patch stiff and slow to answer: take a "
+                "B-spline then.",
+         .equation =
+             "x(u,v) = sum_ij B_i(u) B_j(v) w_ij P_ij / sum_ij B_i(u) B_j(v) w_ij, 0 <= u,v <= 1",
+         .source = "Piegl & Tiller, The NURBS Book, 1.4",
+         .keys = bezier_keys,
+         .params_size = sizeof(lam_nurbs_keys)},
+    .prepare = prepare_bezier,
+    .eval = lam_nurbs_eval,
+    .domain = lam_nurbs_domain,
+    .spline = lam_nurbs_spline};
+
+const lam_surface_kind lam_surface_bspline = {
+    .head = {.name = "bspline",
+             .title = "B-spline surface",
+             .doc = "A surface of polynomial patches that join smoothly, over a net of control "
+                    "points. A point acts "
+                    "only near itself, so free forms with many points stay easy to handle. Take "
+                    "degree 3 or more when "
+                    "curvature matters: at degree 2 it jumps from patch to patch, and strips cut "
+                    "along such a surface "
+                    "show the jump. A knot repeated as often as the degree makes a crease.",
+             .equation = "x(u,v) = sum_ij N_i(u) N_j(v) P_ij",
+             .source = "Piegl & Tiller, The NURBS Book, 3.4",
+             .keys = bspline_keys,
+             .params_size = sizeof(lam_nurbs_keys)},
+    .prepare = prepare,
+    .eval = lam_nurbs_eval,
+    .domain = lam_nurbs_domain,
+    .spline = lam_nurbs_spline};
+
+const lam_surface_kind lam_surface_nurbs = {
+    .head = {.name = "nurbs",
+             .title = "NURBS surface",
+             .doc = "The surface of most modelling programs: a B-spline surface with a weight on "
+                    "every control point. "
+                    "With the right weights it contains the quadrics and surfaces of revolution "
+                    "exactly. Degree, "
+                    "knots, points and weights are listed as such a program exports them; note "
+                    "that some programs "
+                    "leave out the first and the last knot. Very uneven weights squeeze the "
+                    "parameter lines together, "
+                    "and a net that follows them gets uneven too.",
+             .equation = "x(u,v) = sum_ij N_i(u) N_j(v) w_ij P_ij / sum_ij N_i(u) N_j(v) w_ij",
+             .source = "Piegl & Tiller, The NURBS Book, 4.4",
+             .keys = nurbs_keys,
+             .params_size = sizeof(lam_nurbs_keys)},
+    .prepare = prepare,
+    .eval = lam_nurbs_eval,
+    .domain = lam_nurbs_domain,
+    .spline = lam_nurbs_spline};

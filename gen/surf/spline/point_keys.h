@@ -1,0 +1,41 @@
+/* Points as designs give them, in numbers or in a file: the keys `points`, `file` and `unit`. */
+#ifndef LAM_SURF_SPLINE_POINT_KEYS_H
+#define LAM_SURF_SPLINE_POINT_KEYS_H
+
+#include "surf/surface_kind.h"
+
+/* A member of the parameters of a kind; filled by LAM_POINT_KEYS. */
+typedef struct lam_point_keys {
+  lam_list list;        /* of numbers: x, y, z of every point */
+  lam_point_file cloud; /* in place of the list */
+  int unit;             /* index in lam_point_units */
+} lam_point_keys;
+
+/* Rows for the key table of a kind: params.member is a lam_point_keys, text the default list. */
+#define LAM_POINT_KEYS(params, member, text, sentence)                                             \
+  {.name = "points",                                                                               \
+   .type = LAM_KEY_NUMBER,                                                                         \
+   .offset = offsetof(params, member.list),                                                        \
+   .initial = text,                                                                                \
+   .doc = sentence},                                                                               \
+      {.name = "file",                                                                             \
+       .type = LAM_KEY_TEXT,                                                                       \
+       .offset = offsetof(params, member.cloud.file),                                              \
+       .count = 1,                                                                                 \
+       .initial = "~",                                                                             \
+       .doc = "In place of points: a file beside the design, .xyz, .pts, .csv, .txt or .asc with " \
+              "x, y and z in every "                                                               \
+              "line, or the vertices of an .obj or .stl mesh."},                                   \
+  {                                                                                                \
+    .name = "unit", .type = LAM_KEY_CHOICE, .offset = offsetof(params, member.unit), .count = 1,   \
+    .initial = "m", .choices = lam_point_units, .doc = "Unit of the numbers in points."            \
+  }
+
+/* The points that the keys give, in meters; NULL with a message when they are fewer than `least`.
+ * Sets count. */
+const lam_vec3 *lam_points_given(lam_arena *arena, const lam_point_keys *keys, int least,
+                                 lam_location location, lam_errors *errors, int *count);
+/* The points of a list of x, y, z, in meters. Precondition: its length is a multiple of 3. */
+lam_vec3 *lam_points_read(lam_arena *arena, const lam_list *list, int unit);
+
+#endif
