@@ -80,15 +80,8 @@ static const char *const tangent_choices[] = {"bisector", "circle", NULL};
   }
 
 static const lam_key angle_keys[] = {
-    {.name = "angle",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = offsetof(lam_angle_params, angle),
-     .count = 1,
-     .initial = "60 deg",
-     .min = 5 * (LAM_PI / 180),
-     .max = 175 * (LAM_PI / 180),
-     .doc = "Angle between the two families at every regular vertex."},
+    LAM_ANGLE_KEY(lam_angle_params, "angle", angle, "60 deg", 5 * (LAM_PI / 180),
+                  175 * (LAM_PI / 180), "Angle between the two families at every regular vertex."),
     BORDER(lam_angle_params),
     TANGENTS(lam_angle_params),
     {0}};

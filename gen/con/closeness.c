@@ -55,19 +55,10 @@ static void add_handle(lam_scope *scope, const void *params, double weight, lam_
   lam_closeness_add(scope, "handle", LAM_HARD, weight, 1, vertex, &target);
 }
 
-static const lam_key handle_keys[] = {{.name = "vertex",
-                                       .type = LAM_KEY_INTEGER,
-                                       .offset = offsetof(lam_handle_params, vertex),
-                                       .initial = "0",
-                                       .doc = "Index of the vertex, from 0."},
-                                      {.name = "to",
-                                       .type = LAM_KEY_NUMBER,
-                                       .unit = LAM_UNIT_LENGTH,
-                                       .offset = offsetof(lam_handle_params, to),
-                                       .count = 3,
-                                       .initial = "[0, 0, 0]",
-                                       .doc = "Where the vertex has to be."},
-                                      {0}};
+static const lam_key handle_keys[] = {
+    LAM_INTEGER_KEY(lam_handle_params, "vertex", vertex, "0", 0, 0, "Index of the vertex, from 0."),
+    LAM_LENGTH_KEY(lam_handle_params, "to", to, "[0, 0, 0]", 0, 0, "Where the vertex has to be."),
+    {0}};
 
 const lam_constraint_kind lam_con_closeness = {
     {"closeness", "Closeness to the start",

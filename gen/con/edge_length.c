@@ -48,20 +48,10 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 }
 
 static const lam_key keys[] = {
-    {.name = "length",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(lam_edge_length_params, length),
-     .count = 1,
-     .initial = "0",
-     .max = 1e6,
-     .doc = "Length of every edge; 0 keeps each at its length at the start."},
-    {.name = "boundary",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(lam_edge_length_params, boundary_only),
-     .count = 1,
-     .initial = "no",
-     .doc = "Only edges of the boundary."},
+    LAM_LENGTH_KEY(lam_edge_length_params, "length", length, "0", 0, 1e6,
+                   "Length of every edge; 0 keeps each at its length at the start."),
+    LAM_FLAG_KEY(lam_edge_length_params, "boundary", boundary_only, "no",
+                 "Only edges of the boundary."),
     {0}};
 
 const lam_constraint_kind lam_con_edge_length = {

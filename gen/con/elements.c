@@ -51,11 +51,7 @@ int lam_scope_half_stars(lam_scope *scope, const int **nodes) {
   return count;
 }
 
-const lam_key lam_star_keys[] = {{.name = "border",
-                                  .type = LAM_KEY_FLAG,
-                                  .offset = offsetof(lam_star_params, border),
-                                  .count = 1,
-                                  .initial = "no",
-                                  .doc = "Vertices of the border take part: half stars, and "
-                                         "reentrant corners, which have four edges."},
+const lam_key lam_star_keys[] = {LAM_FLAG_KEY(lam_star_params, "border", border, "no",
+                                              "Vertices of the border take part: half stars, and "
+                                              "reentrant corners, which have four edges."),
                                  {0}};

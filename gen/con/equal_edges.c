@@ -41,21 +41,10 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 }
 
 static const lam_key keys[] = {
-    {.name = "family",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(lam_equal_edges_params, family),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1,
-     .doc = "Family of the lines: 0, along u, or 1, along v."},
-    {.name = "lines",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_equal_edges_params, lines),
-     .count = 1,
-     .initial = "all",
-     .choices = choices,
-     .doc = "all lines of the family, or only the middle one of its longest lines."},
+    LAM_INTEGER_KEY(lam_equal_edges_params, "family", family, "0", 0, 1,
+                    "Family of the lines: 0, along u, or 1, along v."),
+    LAM_CHOICE_KEY(lam_equal_edges_params, "lines", lines, "all", choices,
+                   "all lines of the family, or only the middle one of its longest lines."),
     {0}};
 
 const lam_constraint_kind lam_con_equal_edges = {

@@ -53,16 +53,11 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 
 const char *const lam_fairness_choices[] = {"positions", "displacements", NULL};
 
-static const lam_key keys[] = {{.name = "of",
-                                .type = LAM_KEY_CHOICE,
-                                .offset = offsetof(lam_fairness_params, of),
-                                .count = 1,
-                                .initial = "positions",
-                                .choices = lam_fairness_choices,
-                                .doc = "positions: the net itself becomes smooth; displacements: "
-                                       "its change against the start does, "
-                                       "so that waves of the start survive."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_CHOICE_KEY(lam_fairness_params, "of", of, "positions", lam_fairness_choices,
+                   "positions: the net itself becomes smooth; displacements: its change against "
+                   "the start does, so that waves of the start survive."),
+    {0}};
 
 const lam_constraint_kind lam_con_fairness = {
     {"fairness", "Fair polylines",

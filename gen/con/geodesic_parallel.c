@@ -28,21 +28,11 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 }
 
 static const lam_key keys[] = {
-    {.name = "geodesics",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(lam_geodesic_params, family),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1,
-     .doc = "Family whose lines are geodesics: 0, along u, or 1, along v."},
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(lam_geodesic_params, border),
-     .count = 1,
-     .initial = "yes",
-     .doc = "Where geodesics end at the border they meet it at right angles too; without it the "
-            "lines across zigzag."},
+    LAM_INTEGER_KEY(lam_geodesic_params, "geodesics", family, "0", 0, 1,
+                    "Family whose lines are geodesics: 0, along u, or 1, along v."),
+    LAM_FLAG_KEY(lam_geodesic_params, "border", border, "yes",
+                 "Where geodesics end at the border they meet it at right angles too; without it "
+                 "the lines across zigzag."),
     {0}};
 
 const lam_constraint_kind lam_con_geodesic_parallel = {

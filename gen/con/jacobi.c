@@ -22,14 +22,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 }
 
 static const lam_key keys[] = {
-    {.name = "geodesics",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(lam_family_params, family),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1,
-     .doc = "Family whose lines bound the strips: 0, along u, or 1, along v."},
+    LAM_INTEGER_KEY(lam_family_params, "geodesics", family, "0", 0, 1,
+                    "Family whose lines bound the strips: 0, along u, or 1, along v."),
     {0}};
 
 const lam_constraint_kind lam_con_jacobi = {

@@ -17,12 +17,8 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 }
 
 static const lam_key keys[] = {
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(lam_star_params, border),
-     .count = 1,
-     .initial = "no",
-     .doc = "Reentrant corners of the border, which have four edges, take part."},
+    LAM_FLAG_KEY(lam_star_params, "border", border, "no",
+                 "Reentrant corners of the border, which have four edges, take part."),
     {0}};
 
 const lam_constraint_kind lam_con_opposite_angles = {

@@ -120,27 +120,14 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 
 static const char *const sphere_choices[] = {"own", "common", NULL};
 
-static const lam_key keys[] = {{.name = "radius",
-                                .type = LAM_KEY_NUMBER,
-                                .unit = LAM_UNIT_LENGTH,
-                                .offset = offsetof(lam_spherical_star_params, radius),
-                                .count = 1,
-                                .initial = "0",
-                                .min = -1e12,
-                                .max = 1e12,
-                                .doc = "Radius of every sphere; negative when the centers lie "
-                                       "behind the surface, seen from the tip of its normal "
-                                       "(a dome with normals outwards). 0: it is found."},
-                               {.name = "spheres",
-                                .type = LAM_KEY_CHOICE,
-                                .offset = offsetof(lam_spherical_star_params, spheres),
-                                .count = 1,
-                                .initial = "own",
-                                .choices = sphere_choices,
-                                .doc = "When the radius is found. own: every star has a sphere of "
-                                       "its own; common: all have the same, unknown "
-                                       "radius."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_LENGTH_KEY(lam_spherical_star_params, "radius", radius, "0", -1e12, 1e12,
+                   "Radius of every sphere; negative when the centers lie behind the surface, seen "
+                   "from the tip of its normal (a dome with normals outwards). 0: it is found."),
+    LAM_CHOICE_KEY(lam_spherical_star_params, "spheres", spheres, "own", sphere_choices,
+                   "When the radius is found. own: every star has a sphere of its own; common: all "
+                   "have the same, unknown radius."),
+    {0}};
 
 const lam_constraint_kind lam_con_spherical_star = {
     {"spherical-star", "Spherical vertex stars",

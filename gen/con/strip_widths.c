@@ -83,22 +83,11 @@ static void add(lam_scope *scope, const void *params, double weight, lam_locatio
 }
 
 static const lam_key keys[] = {
-    {.name = "geodesics",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(lam_strip_params, family),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1,
-     .doc = "Family whose lines bound the strips: 0, along u, or 1, along v."},
-    {.name = "widths",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_strip_params, widths),
-     .count = 1,
-     .initial = "equal",
-     .choices = choices,
-     .doc = "equal: at every line across, all strips have the same width; proportional: up to "
-            "a factor for each strip; constant: each strip has one width all along."},
+    LAM_INTEGER_KEY(lam_strip_params, "geodesics", family, "0", 0, 1,
+                    "Family whose lines bound the strips: 0, along u, or 1, along v."),
+    LAM_CHOICE_KEY(lam_strip_params, "widths", widths, "equal", choices,
+                   "equal: at every line across, all strips have the same width; proportional: up "
+                   "to a factor for each strip; constant: each strip has one width all along."),
     {0}};
 
 const lam_constraint_kind lam_con_strip_widths = {

@@ -90,6 +90,58 @@ typedef struct lam_row {
   lam_location location; /* where it stands in the design */
 } lam_row;
 
+/* Rows of key tables. `of` is the parameter struct, `member` where the value goes; how many values
+ * a key takes follows from the member: a lam_list takes any number, an array as many as it has,
+ * everything else one. Further fields may follow the sentence: LAM_GIVEN(of, flag), .keys = ...,
+ * .size = ... */
+#define LAM_NUMBER_KEY(of, key, member, initial, min, max, doc, ...)                               \
+  LAM_RANGE_KEY_(of, key, member, NUMBER, double, LAM_UNIT_NONE, initial, min, max, doc,           \
+                 __VA_ARGS__)
+#define LAM_LENGTH_KEY(of, key, member, initial, min, max, doc, ...)                               \
+  LAM_RANGE_KEY_(of, key, member, NUMBER, double, LAM_UNIT_LENGTH, initial, min, max, doc,         \
+                 __VA_ARGS__)
+#define LAM_ANGLE_KEY(of, key, member, initial, min, max, doc, ...)                                \
+  LAM_RANGE_KEY_(of, key, member, NUMBER, double, LAM_UNIT_ANGLE, initial, min, max, doc,          \
+                 __VA_ARGS__)
+#define LAM_INTEGER_KEY(of, key, member, initial, min, max, doc, ...)                              \
+  LAM_RANGE_KEY_(of, key, member, INTEGER, int, LAM_UNIT_NONE, initial, min, max, doc, __VA_ARGS__)
+#define LAM_FLAG_KEY(of, key, member, initial, doc, ...)                                           \
+  LAM_ONE_KEY_(of, key, member, FLAG, bool, initial, doc, __VA_ARGS__)
+#define LAM_CHOICE_KEY(of, key, member, initial, names, doc, ...)                                  \
+  LAM_ONE_KEY_(of, key, member, CHOICE, int, initial, doc, .choices = names, __VA_ARGS__)
+#define LAM_TEXT_KEY(of, key, member, initial, doc, ...)                                           \
+  LAM_ONE_KEY_(of, key, member, TEXT, const char *, initial, doc, __VA_ARGS__)
+/* inner: the table of the nested struct, which is the member. */
+#define LAM_MAP_KEY(of, key, member, initial, inner, doc, ...)                                     \
+  {                                                                                                \
+    LAM_KEY_FIELDS_(of, key, member, MAP, LAM_MEMBER_(of, member), initial, doc),                  \
+        .keys = inner, .size = sizeof(LAM_MEMBER_(of, member)), __VA_ARGS__                        \
+  }
+/* The same for any number of nested structs of type item: the member is a lam_list. */
+#define LAM_MAPS_KEY(of, key, member, initial, inner, item, doc, ...)                              \
+  {                                                                                                \
+    LAM_KEY_FIELDS_(of, key, member, MAP, item, initial, doc), .keys = inner,                      \
+                                                               .size = sizeof(item), __VA_ARGS__   \
+  }
+#define LAM_ROW_KEY(of, key, member, initial, registry, doc, ...)                                  \
+  LAM_ONE_KEY_(of, key, member, ROW, lam_row, initial, doc, .rows = registry, __VA_ARGS__)
+/* A bool of the struct that says whether the design gave the key. */
+#define LAM_GIVEN(of, flag) .given_offset = offsetof(of, flag)
+
+#define LAM_MEMBER_(of, member) (((of *)0)->member)
+#define LAM_KEY_FIELDS_(of, key, member, kind, item, text, sentence)                               \
+  .name = key, .type = LAM_KEY_##kind, .offset = offsetof(of, member), .initial = text,            \
+  .doc = sentence,                                                                                 \
+  .count = _Generic(LAM_MEMBER_(of, member), lam_list : 0, default                                 \
+                    : (int)(sizeof(LAM_MEMBER_(of, member)) / sizeof(item)))
+#define LAM_ONE_KEY_(of, key, member, kind, item, initial, doc, ...)                               \
+  { LAM_KEY_FIELDS_(of, key, member, kind, item, initial, doc), __VA_ARGS__ }
+#define LAM_RANGE_KEY_(of, key, member, kind, item, measured, initial, least, most, doc, ...)      \
+  {                                                                                                \
+    LAM_KEY_FIELDS_(of, key, member, kind, item, initial, doc), .unit = measured, .min = least,    \
+                                                                .max = most, __VA_ARGS__           \
+  }
+
 /* The row called name, or NULL. */
 const lam_row_head *lam_registry_find(const lam_registry *registry, const char *name);
 

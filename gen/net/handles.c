@@ -4,73 +4,31 @@
 
 #include <math.h>
 
-#define AT(member) .offset = offsetof(lam_handle, member)
-
 const lam_key lam_handle_keys[] = {
-    {.name = "vertex",
-     .type = LAM_KEY_INTEGER,
-     AT(index),
-     .initial = "[]",
-     .doc = "One vertex: grid position [i, j], or its index, from 0 in the order of the OBJ file."},
-    {.name = "at",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     AT(at),
-     .count = 3,
-     .initial = "",
-     .given_offset = offsetof(lam_handle, at_given),
-     .doc = "Or the vertex of the start that is nearest to this point."},
-    {.name = "side",
-     .type = LAM_KEY_CHOICE,
-     AT(side),
-     .count = 1,
-     .initial = "u0",
-     .choices = lam_side_names,
-     .given_offset = offsetof(lam_handle, side_given),
-     .doc = "Or a whole side: u0 and u1 are where the lines of family 0 begin and end, v0 and v1 "
-            "the same for family "
-            "1."},
-    {.name = "to",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     AT(goal),
-     .initial = "[]",
-     .doc = "Where it has to be: x, y, z. For a side the control points of a B-spline, one after "
-            "the other, from its "
-            "beginning to its end; its vertices come to the same shares of the curve's length that "
-            "they have of the "
-            "side's."},
-    {.name = "by",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     AT(by),
-     .count = 3,
-     .initial = "",
-     .given_offset = offsetof(lam_handle, by_given),
-     .doc = "Or how far it moves from the start."},
-    {.name = "degree",
-     .type = LAM_KEY_INTEGER,
-     AT(degree),
-     .count = 1,
-     .initial = "3",
-     .min = 1,
-     .max = 9,
-     .doc = "Of the B-spline of a side, at most the number of its points less one; 1: a polyline."},
-    {.name = "steps",
-     .type = LAM_KEY_INTEGER,
-     AT(steps),
-     .count = 1,
-     .initial = "1",
-     .min = 1,
-     .max = 1000,
-     .doc = "The handle is moved there in this many steps; the net is solved after each."},
-    {.name = "release",
-     .type = LAM_KEY_FLAG,
-     AT(release),
-     .count = 1,
-     .initial = "no",
-     .doc =
-         "The handle lets go at the end, and the net comes to rest where its constraints allow."},
+    LAM_INTEGER_KEY(
+        lam_handle, "vertex", index, "[]", 0, 0,
+        "One vertex: grid position [i, j], or its index, from 0 in the order of the OBJ file."),
+    LAM_LENGTH_KEY(lam_handle, "at", at, "", 0, 0,
+                   "Or the vertex of the start that is nearest to this point.",
+                   LAM_GIVEN(lam_handle, at_given)),
+    LAM_CHOICE_KEY(lam_handle, "side", side, "u0", lam_side_names,
+                   "Or a whole side: u0 and u1 are where the lines of family 0 begin and end, v0 "
+                   "and v1 the same for family 1.",
+                   LAM_GIVEN(lam_handle, side_given)),
+    LAM_LENGTH_KEY(lam_handle, "to", goal, "[]", 0, 0,
+                   "Where it has to be: x, y, z. For a side the control points of a B-spline, one "
+                   "after the other, from its beginning to its end; its vertices come to the same "
+                   "shares of the curve's length that they have of the side's."),
+    LAM_LENGTH_KEY(lam_handle, "by", by, "", 0, 0, "Or how far it moves from the start.",
+                   LAM_GIVEN(lam_handle, by_given)),
+    LAM_INTEGER_KEY(
+        lam_handle, "degree", degree, "3", 1, 9,
+        "Of the B-spline of a side, at most the number of its points less one; 1: a polyline."),
+    LAM_INTEGER_KEY(lam_handle, "steps", steps, "1", 1, 1000,
+                    "The handle is moved there in this many steps; the net is solved after each."),
+    LAM_FLAG_KEY(
+        lam_handle, "release", release, "no",
+        "The handle lets go at the end, and the net comes to rest where its constraints allow."),
     {0}};
 
 /* Made by a program, not by keys: `vertex` and `to` are meant. */

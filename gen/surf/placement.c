@@ -1,53 +1,22 @@
 #include "surf/placement.h"
 #include "core/numbers.h"
 
-#define AT(member) offsetof(lam_placement_keys, member)
-
 const lam_key lam_placement_key_table[] = {
-    {.name = "u",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(u),
-     .count = 2,
-     .initial = "",
-     .given_offset = AT(u_given),
-     .doc = "The part of the surface that the net covers: from and to, in the first parameter of "
-            "the parameterization "
-            "that the net uses (an asymptotic net: asymptotic parameters). Left out: the surface's "
-            "usual range."},
-    {.name = "v",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(v),
-     .count = 2,
-     .initial = "",
-     .given_offset = AT(v_given),
-     .doc = "The same for the second parameter."},
-    {.name = "size",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = AT(size),
-     .count = 1,
-     .initial = "",
-     .min = 1e-4,
-     .max = 1e4,
-     .given_offset = AT(size_given),
-     .doc = "The larger of the net's extents along x and y, after the rotation: everything is "
-            "scaled to it. Left out: the "
-            "surface keeps its own units, taken as meters."},
-    {.name = "rotate",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = AT(rotate),
-     .count = 3,
-     .initial = "[0, 0, 0]",
-     .min = -2 * LAM_PI,
-     .max = 2 * LAM_PI,
-     .doc = "Turns the surface about the x axis, then the y axis, then the z axis."},
-    {.name = "ground",
-     .type = LAM_KEY_FLAG,
-     .offset = AT(ground),
-     .count = 1,
-     .initial = "yes",
-     .doc = "Moves the net up or down so that its lowest point stands on the ground, z = 0."},
+    LAM_NUMBER_KEY(lam_placement_keys, "u", u, "", 0, 0,
+                   "The part of the surface that the net covers: from and to, in the first "
+                   "parameter of the parameterization that the net uses (an asymptotic net: "
+                   "asymptotic parameters). Left out: the surface's usual range.",
+                   LAM_GIVEN(lam_placement_keys, u_given)),
+    LAM_NUMBER_KEY(lam_placement_keys, "v", v, "", 0, 0, "The same for the second parameter.",
+                   LAM_GIVEN(lam_placement_keys, v_given)),
+    LAM_LENGTH_KEY(lam_placement_keys, "size", size, "", 1e-4, 1e4,
+                   "The larger of the net's extents along x and y, after the rotation: everything "
+                   "is scaled to it. Left out: the surface keeps its own units, taken as meters.",
+                   LAM_GIVEN(lam_placement_keys, size_given)),
+    LAM_ANGLE_KEY(lam_placement_keys, "rotate", rotate, "[0, 0, 0]", -2 * LAM_PI, 2 * LAM_PI,
+                  "Turns the surface about the x axis, then the y axis, then the z axis."),
+    LAM_FLAG_KEY(lam_placement_keys, "ground", ground, "yes",
+                 "Moves the net up or down so that its lowest point stands on the ground, z = 0."),
     {.name = NULL},
 };
 

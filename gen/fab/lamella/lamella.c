@@ -11,118 +11,41 @@
 static const char *const joint_kinds[] = {
     [LAM_JOINT_HALF_LAP] = "half-lap", [LAM_JOINT_NONE] = "none", NULL};
 
-static const lam_key joint_keys[] = {{.name = "kind",
-                                      .type = LAM_KEY_CHOICE,
-                                      .offset = offsetof(lam_joint_keys, kind),
-                                      .count = 1,
-                                      .initial = "half-lap",
-                                      .choices = joint_kinds,
-                                      .doc = "half-lap: both lamellas are slotted to mid height, "
-                                             "family 0 from above and family 1 from below; none: "
-                                             "they run through each other."},
-                                     {.name = "clearance",
-                                      .type = LAM_KEY_NUMBER,
-                                      .unit = LAM_UNIT_LENGTH,
-                                      .offset = offsetof(lam_joint_keys, clearance),
-                                      .count = 1,
-                                      .initial = "0.25 mm",
-                                      .min = 1e-5,
-                                      .max = 0.01,
-                                      .doc = "Gap between a slot and the partner on either side, "
-                                             "and half the gap between the two floors."},
-                                     {.name = "scissor",
-                                      .type = LAM_KEY_NUMBER,
-                                      .unit = LAM_UNIT_ANGLE,
-                                      .offset = offsetof(lam_joint_keys, scissor),
-                                      .count = 1,
-                                      .initial = "0",
-                                      .min = 0,
-                                      .max = 1.5707963267948966,
-                                      .doc =
-                                          "The smallest angle to which nodes may be turned during "
-                                          "erection, both ways: slots are widened for it; 0: "
-                                          "nodes do "
-                                          "not turn."},
-                                     {0}};
+static const lam_key joint_keys[] = {
+    LAM_CHOICE_KEY(lam_joint_keys, "kind", kind, "half-lap", joint_kinds,
+                   "half-lap: both lamellas are slotted to mid height, family 0 from above and "
+                   "family 1 from below; none: they run through each other."),
+    LAM_LENGTH_KEY(lam_joint_keys, "clearance", clearance, "0.25 mm", 1e-5, 0.01,
+                   "Gap between a slot and the partner on either side, and half the gap between "
+                   "the two floors."),
+    LAM_ANGLE_KEY(lam_joint_keys, "scissor", scissor, "0", 0, 1.5707963267948966,
+                  "The smallest angle to which nodes may be turned during erection, both ways: "
+                  "slots are widened for it; 0: nodes do not turn."),
+    {0}};
 
 static const lam_key keys[] = {
-    {.name = "families",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(lam_lamella_keys, families),
-     .count = 0,
-     .initial = "[0, 1]",
-     .min = 0,
-     .max = 1,
-     .doc = "The families of polylines that carry lamellas."},
-    {.name = "height",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(lam_lamella_keys, height),
-     .count = 1,
-     .initial = "100 mm",
-     .min = 1e-3,
-     .max = 10,
-     .doc = "Width of the strip, along the normal of the net; the net is at its middle."},
-    {.name = "thickness",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(lam_lamella_keys, thickness),
-     .count = 1,
-     .initial = "1.5 mm",
-     .min = 1e-5,
-     .max = 1,
-     .doc = "Thickness of the sheet."},
-    {.name = "pair",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(lam_lamella_keys, pair),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 10,
-     .doc = "Distance between the middle planes of the two sheets of a lamella; 0: a "
-            "lamella is one sheet on the polyline."},
-    {.name = "every",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(lam_lamella_keys, every),
-     .count = 1,
-     .initial = "1",
-     .min = 1,
-     .max = 1000,
-     .doc = "Every k-th polyline of a family carries a lamella. The first and the last "
-            "polyline are among them where k divides "
-            "their distance; a finer net gives smoother lamellas."},
-    {.name = "extend",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(lam_lamella_keys, extend),
-     .count = 1,
-     .initial = "50 mm",
-     .min = 0,
-     .max = 10,
-     .doc = "How far lamellas run on straight past their last crossing (past the end of the "
-            "polyline when nothing crosses)."},
-    {.name = "joint",
-     .type = LAM_KEY_MAP,
-     .offset = offsetof(lam_lamella_keys, joint),
-     .count = 1,
-     .initial = "half-lap",
-     .keys = joint_keys,
-     .size = sizeof(lam_joint_keys),
-     .doc = "How lamellas of the two families pass each other."},
-    {.name = "material",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_lamella_keys, material),
-     .count = 1,
-     .initial = "steel",
-     .choices = lam_material_names,
-     .doc = "What the sheets are made of."},
-    {.name = "boundary",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(lam_lamella_keys, boundary),
-     .count = 1,
-     .initial = "yes",
-     .doc = "Whether polylines along the boundary of the net carry lamellas."},
+    LAM_INTEGER_KEY(lam_lamella_keys, "families", families, "[0, 1]", 0, 1,
+                    "The families of polylines that carry lamellas."),
+    LAM_LENGTH_KEY(lam_lamella_keys, "height", height, "100 mm", 1e-3, 10,
+                   "Width of the strip, along the normal of the net; the net is at its middle."),
+    LAM_LENGTH_KEY(lam_lamella_keys, "thickness", thickness, "1.5 mm", 1e-5, 1,
+                   "Thickness of the sheet."),
+    LAM_LENGTH_KEY(lam_lamella_keys, "pair", pair, "0", 0, 10,
+                   "Distance between the middle planes of the two sheets of a lamella; 0: a "
+                   "lamella is one sheet on the polyline."),
+    LAM_INTEGER_KEY(
+        lam_lamella_keys, "every", every, "1", 1, 1000,
+        "Every k-th polyline of a family carries a lamella. The first and the last polyline are "
+        "among them where k divides their distance; a finer net gives smoother lamellas."),
+    LAM_LENGTH_KEY(lam_lamella_keys, "extend", extend, "50 mm", 0, 10,
+                   "How far lamellas run on straight past their last crossing (past the end of the "
+                   "polyline when nothing crosses)."),
+    LAM_MAP_KEY(lam_lamella_keys, "joint", joint, "half-lap", joint_keys,
+                "How lamellas of the two families pass each other."),
+    LAM_CHOICE_KEY(lam_lamella_keys, "material", material, "steel", lam_material_names,
+                   "What the sheets are made of."),
+    LAM_FLAG_KEY(lam_lamella_keys, "boundary", boundary, "yes",
+                 "Whether polylines along the boundary of the net carry lamellas."),
     {0}};
 
 /* ---- checks of keys taken together ---- */

@@ -253,32 +253,19 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   add_bolts(shop, grid, k);
 }
 
-#define LENGTH(key, field, text, least, most, sentence)                                            \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
-    .offset = offsetof(connector_keys, field), .count = 1, .initial = text, .min = least,          \
-    .max = most, .doc = sentence                                                                   \
-  }
-
 static const lam_key keys[] = {
-    {.name = "bolt",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(connector_keys, bolt),
-     .count = 1,
-     .initial = "M8",
-     .choices = bolt_names,
-     .doc = "Thread of the bolt; head, nut and hole follow from it (ISO 4017, ISO 4032, ISO 273)."},
-    LENGTH("washer", washer, "4 mm", 1e-4, 0.1, "Thickness of the star washers."),
-    LENGTH("gap", gap, "1 mm", 1e-5, 0.1,
-           "Between the edges of the lamellas and the washers, for edges are twisted and curved."),
-    LENGTH("arm", arm, "28 mm", 1e-3, 1, "From the center of a washer to the tip of an arm."),
-    {.name = "material",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(connector_keys, material),
-     .count = 1,
-     .initial = "steel",
-     .choices = lam_material_names,
-     .doc = "What washers and bolts are made of."},
+    LAM_CHOICE_KEY(
+        connector_keys, "bolt", bolt, "M8", bolt_names,
+        "Thread of the bolt; head, nut and hole follow from it (ISO 4017, ISO 4032, ISO 273)."),
+    LAM_LENGTH_KEY(connector_keys, "washer", washer, "4 mm", 1e-4, 0.1,
+                   "Thickness of the star washers."),
+    LAM_LENGTH_KEY(
+        connector_keys, "gap", gap, "1 mm", 1e-5, 0.1,
+        "Between the edges of the lamellas and the washers, for edges are twisted and curved."),
+    LAM_LENGTH_KEY(connector_keys, "arm", arm, "28 mm", 1e-3, 1,
+                   "From the center of a washer to the tip of an arm."),
+    LAM_CHOICE_KEY(connector_keys, "material", material, "steel", lam_material_names,
+                   "What washers and bolts are made of."),
     {0}};
 
 const lam_part_kind lam_part_node_connector = {

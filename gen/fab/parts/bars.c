@@ -273,48 +273,28 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   report(&set, first);
 }
 
-#define LENGTH(key, field, text, least, most, sentence)                                            \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
-    .offset = offsetof(bars_keys, field), .count = 1, .initial = text, .min = least, .max = most,  \
-    .doc = sentence                                                                                \
-  }
-#define CHOICE(key, field, text, names, sentence)                                                  \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_CHOICE, .offset = offsetof(bars_keys, field), .count = 1,         \
-    .initial = text, .choices = names, .doc = sentence                                             \
-  }
-
 static const lam_key keys[] = {
-    LENGTH("diameter", diameter, "60 mm", 1e-4, 2,
-           "Diameter of a round bar, side of a square one."),
-    CHOICE("profile", profile, "round", profile_names,
-           "round, or square with two sides along the normal of the net."),
-    {.name = "families",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(bars_keys, families),
-     .count = 0,
-     .initial = "[0, 1]",
-     .min = 0,
-     .max = 1,
-     .doc = "The families of edges that become bars."},
-    CHOICE("edges", edges, "all", edge_names,
-           "All edges of the families, those inside the net, or its whole boundary."),
-    LENGTH("rim", rim, "0", 0, 2, "Diameter of the bars along the boundary; 0: as all others."),
-    LENGTH("wall", wall, "0", 0, 1,
-           "Wall of tubes, for their mass: solids are drawn full. 0: solid bars."),
-    LENGTH("gap", gap, "0.2 mm", 0, 0.1, "Between the mitered ends of bars at a node."),
-    LENGTH("offset", offset, "0", -10, 10,
-           "How far the axes stand off the net, along its normals."),
-    CHOICE("material", material, "steel", lam_material_names, "What the bars are made of."),
-    {.name = "second",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(bars_keys, second),
-     .count = 1,
-     .initial = "steel",
-     .choices = lam_material_names,
-     .given_offset = offsetof(bars_keys, second_given),
-     .doc = "What the bars of family 1 are made of. Left out: as family 0."},
+    LAM_LENGTH_KEY(bars_keys, "diameter", diameter, "60 mm", 1e-4, 2,
+                   "Diameter of a round bar, side of a square one."),
+    LAM_CHOICE_KEY(bars_keys, "profile", profile, "round", profile_names,
+                   "round, or square with two sides along the normal of the net."),
+    LAM_INTEGER_KEY(bars_keys, "families", families, "[0, 1]", 0, 1,
+                    "The families of edges that become bars."),
+    LAM_CHOICE_KEY(bars_keys, "edges", edges, "all", edge_names,
+                   "All edges of the families, those inside the net, or its whole boundary."),
+    LAM_LENGTH_KEY(bars_keys, "rim", rim, "0", 0, 2,
+                   "Diameter of the bars along the boundary; 0: as all others."),
+    LAM_LENGTH_KEY(bars_keys, "wall", wall, "0", 0, 1,
+                   "Wall of tubes, for their mass: solids are drawn full. 0: solid bars."),
+    LAM_LENGTH_KEY(bars_keys, "gap", gap, "0.2 mm", 0, 0.1,
+                   "Between the mitered ends of bars at a node."),
+    LAM_LENGTH_KEY(bars_keys, "offset", offset, "0", -10, 10,
+                   "How far the axes stand off the net, along its normals."),
+    LAM_CHOICE_KEY(bars_keys, "material", material, "steel", lam_material_names,
+                   "What the bars are made of."),
+    LAM_CHOICE_KEY(bars_keys, "second", second, "steel", lam_material_names,
+                   "What the bars of family 1 are made of. Left out: as family 0.",
+                   LAM_GIVEN(bars_keys, second_given)),
     {0}};
 
 const lam_part_kind lam_part_bars = {

@@ -178,51 +178,26 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   if (!stage->converged) stage->reason = "solids that are not sound";
 }
 
-#define LENGTH(key, field, text, least, most, sentence)                                            \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
-    .offset = offsetof(circles_keys, field), .count = 1, .initial = text, .min = least,            \
-    .max = most, .doc = sentence                                                                   \
-  }
-
 static const lam_key keys[] = {
-    {.name = "circles",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(circles_keys, circles),
-     .count = 1,
-     .initial = "incircles",
-     .choices = circle_names,
-     .doc = "Which circles of the faces become rings: incircles (S-isothermic nets), circumcircles "
-            "(circular nets), or "
-            "none."},
-    {.name = "spheres",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(circles_keys, spheres),
-     .count = 1,
-     .initial = "no",
-     .doc = "Balls at the vertices, as large as the incircles allow: on an S-isothermic net "
-            "neighbors touch."},
-    {.name = "drawn",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(circles_keys, drawn),
-     .count = 1,
-     .initial = "no",
-     .doc = "Only to be looked at: they may pass through each other and through other parts, the "
-            "clash check leaves them "
-            "out, and rings have no flat pattern."},
-    LENGTH("width", width, "20 mm", 1e-5, 10, "Width of the rings, inward from the circle."),
-    LENGTH("thickness", thickness, "10 mm", 1e-5, 1,
-           "Thickness of the rings, half of it on either side of the face."),
-    LENGTH("gap", gap, "2 mm", 0, 1,
-           "Between rings or balls that would touch; rings in different planes need thickness * "
-           "tan(fold angle / 2)."),
-    {.name = "material",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(circles_keys, material),
-     .count = 1,
-     .initial = "plywood",
-     .choices = lam_material_names,
-     .doc = "What rings and balls are made of."},
+    LAM_CHOICE_KEY(circles_keys, "circles", circles, "incircles", circle_names,
+                   "Which circles of the faces become rings: incircles (S-isothermic nets), "
+                   "circumcircles (circular nets), or none."),
+    LAM_FLAG_KEY(circles_keys, "spheres", spheres, "no",
+                 "Balls at the vertices, as large as the incircles allow: on an S-isothermic net "
+                 "neighbors touch."),
+    LAM_FLAG_KEY(circles_keys, "drawn", drawn, "no",
+                 "Only to be looked at: they may pass through each other and through other parts, "
+                 "the clash check leaves them out, and rings have no flat pattern."),
+    LAM_LENGTH_KEY(circles_keys, "width", width, "20 mm", 1e-5, 10,
+                   "Width of the rings, inward from the circle."),
+    LAM_LENGTH_KEY(circles_keys, "thickness", thickness, "10 mm", 1e-5, 1,
+                   "Thickness of the rings, half of it on either side of the face."),
+    LAM_LENGTH_KEY(
+        circles_keys, "gap", gap, "2 mm", 0, 1,
+        "Between rings or balls that would touch; rings in different planes need thickness * "
+        "tan(fold angle / 2)."),
+    LAM_CHOICE_KEY(circles_keys, "material", material, "plywood", lam_material_names,
+                   "What rings and balls are made of."),
     {0}};
 
 const lam_part_kind lam_part_circles = {

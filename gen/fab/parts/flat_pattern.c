@@ -222,41 +222,16 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   report(shop, &s, lam_workshop_part(shop, part), area, bending);
 }
 
-#define AT(member) offsetof(flat_pattern_keys, member)
 static const lam_key keys[] = {
-    {.name = "thickness",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = AT(thickness),
-     .count = 1,
-     .initial = "2 mm",
-     .min = 1e-5,
-     .max = 0.1,
-     .doc = "Thickness of the sheet; the net lies in its middle."},
-    {.name = "marks",
-     .type = LAM_KEY_INTEGER,
-     .offset = AT(marks),
-     .count = 1,
-     .initial = "3",
-     .min = 0,
-     .max = 1000,
-     .doc = "Lines of the net in each direction that are engraved, to find places by."},
-    {.name = "strain",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(strain),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1,
-     .doc = "The largest strain in the plane of the sheet that is accepted; 0: any, the report "
-            "tells."},
-    {.name = "material",
-     .type = LAM_KEY_CHOICE,
-     .offset = AT(material),
-     .count = 1,
-     .initial = "aluminum",
-     .choices = lam_material_names,
-     .doc = "What the sheet is made of."},
+    LAM_LENGTH_KEY(flat_pattern_keys, "thickness", thickness, "2 mm", 1e-5, 0.1,
+                   "Thickness of the sheet; the net lies in its middle."),
+    LAM_INTEGER_KEY(flat_pattern_keys, "marks", marks, "3", 0, 1000,
+                    "Lines of the net in each direction that are engraved, to find places by."),
+    LAM_NUMBER_KEY(
+        flat_pattern_keys, "strain", strain, "0", 0, 1,
+        "The largest strain in the plane of the sheet that is accepted; 0: any, the report tells."),
+    LAM_CHOICE_KEY(flat_pattern_keys, "material", material, "aluminum", lam_material_names,
+                   "What the sheet is made of."),
     {0}};
 
 const lam_part_kind lam_part_flat_pattern = {

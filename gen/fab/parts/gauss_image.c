@@ -76,38 +76,14 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   shop->lamella_grid = NULL;
 }
 
-static const lam_key keys[] = {{.name = "radius",
-                                .type = LAM_KEY_NUMBER,
-                                .unit = LAM_UNIT_LENGTH,
-                                .offset = offsetof(image_keys, radius),
-                                .count = 1,
-                                .initial = "1 m",
-                                .min = 1e-3,
-                                .max = 1e4,
-                                .doc = "Radius of the sphere."},
-                               {.name = "at",
-                                .type = LAM_KEY_NUMBER,
-                                .unit = LAM_UNIT_LENGTH,
-                                .offset = offsetof(image_keys, at),
-                                .count = 3,
-                                .initial = "[0, 0, 0]",
-                                .min = -1e6,
-                                .max = 1e6,
-                                .doc = "Its center."},
-                               {.name = "ball",
-                                .type = LAM_KEY_FLAG,
-                                .offset = offsetof(image_keys, ball),
-                                .count = 1,
-                                .initial = "no",
-                                .doc = "Draws the sphere; parts outside it need an `offset`."},
-                               {.name = "material",
-                                .type = LAM_KEY_CHOICE,
-                                .offset = offsetof(image_keys, material),
-                                .count = 1,
-                                .initial = "card",
-                                .choices = lam_material_names,
-                                .doc = "What the sphere looks like."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_LENGTH_KEY(image_keys, "radius", radius, "1 m", 1e-3, 1e4, "Radius of the sphere."),
+    LAM_LENGTH_KEY(image_keys, "at", at, "[0, 0, 0]", -1e6, 1e6, "Its center."),
+    LAM_FLAG_KEY(image_keys, "ball", ball, "no",
+                 "Draws the sphere; parts outside it need an `offset`."),
+    LAM_CHOICE_KEY(image_keys, "material", material, "card", lam_material_names,
+                   "What the sphere looks like."),
+    {0}};
 
 const lam_part_kind lam_part_gauss_image = {
     .head = {.name = "gauss-image",

@@ -114,32 +114,16 @@ static void make(lam_workshop *shop, const void *params, lam_location place) {
                       curved);
 }
 
-#define LENGTH(key, field, text, least, most, sentence)                                            \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
-    .offset = offsetof(frames_keys, field), .count = 1, .initial = text, .min = least,             \
-    .max = most, .doc = sentence                                                                   \
-  }
-
 static const lam_key keys[] = {
-    {.name = "count",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(frames_keys, count),
-     .count = 1,
-     .initial = "7",
-     .min = 1,
-     .max = 1000,
-     .doc = "Frames along each of the four boundary curves."},
-    LENGTH("size", size, "200 mm", 1e-4, 10, "Side of the plate and length of the pin above it."),
-    LENGTH("gap", gap, "10 mm", 0, 10, "Between the boundary curve and the plate."),
-    LENGTH("thickness", thickness, "5 mm", 1e-5, 1, "Thickness of the plate."),
-    {.name = "material",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(frames_keys, material),
-     .count = 1,
-     .initial = "brass",
-     .choices = lam_material_names,
-     .doc = "What the plates are made of."},
+    LAM_INTEGER_KEY(frames_keys, "count", count, "7", 1, 1000,
+                    "Frames along each of the four boundary curves."),
+    LAM_LENGTH_KEY(frames_keys, "size", size, "200 mm", 1e-4, 10,
+                   "Side of the plate and length of the pin above it."),
+    LAM_LENGTH_KEY(frames_keys, "gap", gap, "10 mm", 0, 10,
+                   "Between the boundary curve and the plate."),
+    LAM_LENGTH_KEY(frames_keys, "thickness", thickness, "5 mm", 1e-5, 1, "Thickness of the plate."),
+    LAM_CHOICE_KEY(frames_keys, "material", material, "brass", lam_material_names,
+                   "What the plates are made of."),
     {0}};
 
 const lam_part_kind lam_part_frames = {

@@ -206,50 +206,30 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   report(shop, &set, first, classes);
 }
 
-#define LENGTH(key, field, text, least, most, sentence)                                            \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
-    .offset = offsetof(panels_keys, field), .count = 1, .initial = text, .min = least,             \
-    .max = most, .doc = sentence                                                                   \
-  }
-#define CHOICE(key, field, text, names, sentence)                                                  \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_CHOICE, .offset = offsetof(panels_keys, field), .count = 1,       \
-    .initial = text, .choices = names, .doc = sentence                                             \
-  }
-
 static const lam_key keys[] = {
-    LENGTH("thickness", thickness, "10 mm", 1e-5, 1, "Thickness of the plates."),
-    LENGTH("gap", gap, "10 mm", 0, 1,
-           "Distance between neighboring plates where they come closest."),
-    LENGTH("offset", offset, "0", -10, 10,
-           "How far the plates stand off the net, along its normal."),
-    CHOICE("side", side, "outward", side_names,
-           "Where the plate lies: on the side of the normal, centered on the net, or on the other "
-           "side."),
-    CHOICE("faces", faces, "all", face_names,
-           "Which faces carry panels: all, every second one as on a checkerboard, or every second "
-           "band along a family."),
-    {.name = "flat",
-     .type = LAM_KEY_NUMBER,
-     .offset = offsetof(panels_keys, flat),
-     .count = 1,
-     .initial = "0.001",
-     .min = 0,
-     .max = 0.1,
-     .doc = "A face becomes a flat plate when its diagonals pass at no more than this share of "
-            "their mean length; a "
-            "twisted panel otherwise."},
-    CHOICE("material", material, "aluminum", lam_material_names, "What the panels are made of."),
-    {.name = "second",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(panels_keys, second),
-     .count = 1,
-     .initial = "aluminum",
-     .choices = lam_material_names,
-     .given_offset = offsetof(panels_keys, second_given),
-     .doc = "What the other faces of a checkerboard or of bands are made of. Left out: they stay "
-            "open."},
+    LAM_LENGTH_KEY(panels_keys, "thickness", thickness, "10 mm", 1e-5, 1,
+                   "Thickness of the plates."),
+    LAM_LENGTH_KEY(panels_keys, "gap", gap, "10 mm", 0, 1,
+                   "Distance between neighboring plates where they come closest."),
+    LAM_LENGTH_KEY(panels_keys, "offset", offset, "0", -10, 10,
+                   "How far the plates stand off the net, along its normal."),
+    LAM_CHOICE_KEY(
+        panels_keys, "side", side, "outward", side_names,
+        "Where the plate lies: on the side of the normal, centered on the net, or on the other "
+        "side."),
+    LAM_CHOICE_KEY(
+        panels_keys, "faces", faces, "all", face_names,
+        "Which faces carry panels: all, every second one as on a checkerboard, or every second "
+        "band along a family."),
+    LAM_NUMBER_KEY(panels_keys, "flat", flat, "0.001", 0, 0.1,
+                   "A face becomes a flat plate when its diagonals pass at no more than this share "
+                   "of their mean length; a twisted panel otherwise."),
+    LAM_CHOICE_KEY(panels_keys, "material", material, "aluminum", lam_material_names,
+                   "What the panels are made of."),
+    LAM_CHOICE_KEY(
+        panels_keys, "second", second, "aluminum", lam_material_names,
+        "What the other faces of a checkerboard or of bands are made of. Left out: they stay open.",
+        LAM_GIVEN(panels_keys, second_given)),
     {0}};
 
 const lam_part_kind lam_part_panels = {

@@ -201,37 +201,22 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   add_parts(&s, &mesh);
 }
 
-#define CHOICE(key, field, text, names, sentence)                                                  \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_CHOICE, .offset = offsetof(skin_keys, field), .count = 1,         \
-    .initial = text, .choices = names, .doc = sentence                                             \
-  }
-#define LENGTH(key, field, text, least, most, sentence)                                            \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
-    .offset = offsetof(skin_keys, field), .count = 1, .initial = text, .min = least, .max = most,  \
-    .doc = sentence                                                                                \
-  }
-#define WHOLE(key, field, text, least, most, sentence)                                             \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_INTEGER, .offset = offsetof(skin_keys, field), .count = 1,        \
-    .initial = text, .min = least, .max = most, .doc = sentence                                    \
-  }
-
 static const lam_key keys[] = {
-    CHOICE("from", from, "net", from_names,
-           "net: a patch over every cell of the asymptotic net; surface: the design's own spline "
-           "surface."),
-    WHOLE("every", every, "1", 1, 1000,
-          "Edges of the net along a side of a patch, as for lamellas."),
-    LENGTH("thickness", thickness, "10 mm", 1e-5, 2, "Thickness of the skin."),
-    LENGTH("offset", offset, "0", -10, 10,
-           "How far its middle stands off the surface, along the normals."),
-    WHOLE("subdivisions", subdivisions, "6", 1, 200,
-          "Facets of the solid along a side of a patch."),
-    CHOICE("pieces", pieces, "whole", piece_names,
-           "whole: one solid of all patches that hang together; cells: one each."),
-    CHOICE("material", material, "concrete", lam_material_names, "What the skin is made of."),
+    LAM_CHOICE_KEY(
+        skin_keys, "from", from, "net", from_names,
+        "net: a patch over every cell of the asymptotic net; surface: the design's own spline "
+        "surface."),
+    LAM_INTEGER_KEY(skin_keys, "every", every, "1", 1, 1000,
+                    "Edges of the net along a side of a patch, as for lamellas."),
+    LAM_LENGTH_KEY(skin_keys, "thickness", thickness, "10 mm", 1e-5, 2, "Thickness of the skin."),
+    LAM_LENGTH_KEY(skin_keys, "offset", offset, "0", -10, 10,
+                   "How far its middle stands off the surface, along the normals."),
+    LAM_INTEGER_KEY(skin_keys, "subdivisions", subdivisions, "6", 1, 200,
+                    "Facets of the solid along a side of a patch."),
+    LAM_CHOICE_KEY(skin_keys, "pieces", pieces, "whole", piece_names,
+                   "whole: one solid of all patches that hang together; cells: one each."),
+    LAM_CHOICE_KEY(skin_keys, "material", material, "concrete", lam_material_names,
+                   "What the skin is made of."),
     {0}};
 
 const lam_part_kind lam_part_skin = {

@@ -226,43 +226,29 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   report(&set, first, classes);
 }
 
-#define LENGTH(key, field, text, least, most, sentence)                                            \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_NUMBER, .unit = LAM_UNIT_LENGTH,                                  \
-    .offset = offsetof(support_keys, field), .count = 1, .initial = text, .min = least,            \
-    .max = most, .doc = sentence                                                                   \
-  }
-#define CHOICE(key, field, text, names, sentence)                                                  \
-  {                                                                                                \
-    .name = key, .type = LAM_KEY_CHOICE, .offset = offsetof(support_keys, field), .count = 1,      \
-    .initial = text, .choices = names, .doc = sentence                                             \
-  }
-
 static const lam_key keys[] = {
-    LENGTH("height", height, "100 mm", 1e-4, 10,
-           "From the net, or the offset below, to the layer above it."),
-    LENGTH("offset", offset, "0", -10, 10,
-           "Where the beams begin, measured from the net along their nodes."),
-    LENGTH("thickness", thickness, "8 mm", 1e-5, 1, "Thickness of the plates."),
-    LENGTH("gap", gap, "2 mm", 0, 0.1,
-           "Between the plates that meet in a node, where they come closest."),
-    CHOICE("along", along, "auto", along_names,
-           "Directions of the nodes: normals (circular nets: nodes of both layers at a constant "
-           "distance), axes of the "
-           "cones (conical nets: faces of both layers at a constant distance), or those of the two "
-           "that make the "
-           "flatter beams."),
-    CHOICE("edges", edges, "all", edge_names, "All edges, or those inside the net."),
-    {.name = "flat",
-     .type = LAM_KEY_NUMBER,
-     .offset = offsetof(support_keys, flat),
-     .count = 1,
-     .initial = "0.001",
-     .min = 0,
-     .max = 0.1,
-     .doc = "A beam is made when the diagonals of its quad pass at no more than this share of "
-            "their mean length."},
-    CHOICE("material", material, "steel", lam_material_names, "What the beams are made of."),
+    LAM_LENGTH_KEY(support_keys, "height", height, "100 mm", 1e-4, 10,
+                   "From the net, or the offset below, to the layer above it."),
+    LAM_LENGTH_KEY(support_keys, "offset", offset, "0", -10, 10,
+                   "Where the beams begin, measured from the net along their nodes."),
+    LAM_LENGTH_KEY(support_keys, "thickness", thickness, "8 mm", 1e-5, 1,
+                   "Thickness of the plates."),
+    LAM_LENGTH_KEY(support_keys, "gap", gap, "2 mm", 0, 0.1,
+                   "Between the plates that meet in a node, where they come closest."),
+    LAM_CHOICE_KEY(
+        support_keys, "along", along, "auto", along_names,
+        "Directions of the nodes: normals (circular nets: nodes of both layers at a constant "
+        "distance), axes of the "
+        "cones (conical nets: faces of both layers at a constant distance), or those of the two "
+        "that make the "
+        "flatter beams."),
+    LAM_CHOICE_KEY(support_keys, "edges", edges, "all", edge_names,
+                   "All edges, or those inside the net."),
+    LAM_NUMBER_KEY(support_keys, "flat", flat, "0.001", 0, 0.1,
+                   "A beam is made when the diagonals of its quad pass at no more than this share "
+                   "of their mean length."),
+    LAM_CHOICE_KEY(support_keys, "material", material, "steel", lam_material_names,
+                   "What the beams are made of."),
     {0}};
 
 const lam_part_kind lam_part_support = {

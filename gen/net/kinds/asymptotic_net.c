@@ -46,31 +46,15 @@ static double target_angle(const void *given) {
 }
 
 static const lam_key keys[] = {
-    {.name = "orthogonal",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, orthogonal),
-     .count = 1,
-     .initial = "no",
-     .doc = "Right angles at every vertex: a discrete minimal surface."},
-    {.name = "angle",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = offsetof(params, angle),
-     .count = 1,
-     .initial = "90 deg",
-     .min = 5 * LAM_PI / 180,
-     .max = 175 * LAM_PI / 180,
-     .given_offset = offsetof(params, angle_given),
-     .doc =
-         "The same crossing angle at every vertex: a constant ratio of the principal curvatures."},
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, border),
-     .count = 1,
-     .initial = "yes",
-     .doc = "Vertices of the border take part: their edges are coplanar, and reentrant corners, "
-            "which have four edges, "
-            "keep the angle."},
+    LAM_FLAG_KEY(params, "orthogonal", orthogonal, "no",
+                 "Right angles at every vertex: a discrete minimal surface."),
+    LAM_ANGLE_KEY(
+        params, "angle", angle, "90 deg", 5 * LAM_PI / 180, 175 * LAM_PI / 180,
+        "The same crossing angle at every vertex: a constant ratio of the principal curvatures.",
+        LAM_GIVEN(params, angle_given)),
+    LAM_FLAG_KEY(params, "border", border, "yes",
+                 "Vertices of the border take part: their edges are coplanar, and reentrant "
+                 "corners, which have four edges, keep the angle."),
     {0}};
 
 static const char *const measures[] = {

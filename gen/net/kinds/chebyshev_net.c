@@ -19,23 +19,13 @@ static void constrain(lam_scope *scope, const void *given, lam_location location
         (lam_edge_length_params){.length = p->length > 0 ? p->length : scope->unit});
 }
 
-static const lam_key keys[] = {{.name = "length",
-                                .type = LAM_KEY_NUMBER,
-                                .unit = LAM_UNIT_LENGTH,
-                                .offset = offsetof(params, length),
-                                .count = 1,
-                                .initial = "0",
-                                .min = 0,
-                                .max = 1e6,
-                                .doc = "Length of every edge. 0: the mean edge of the start."},
-                               {.name = "generalized",
-                                .type = LAM_KEY_FLAG,
-                                .offset = offsetof(params, generalized),
-                                .count = 1,
-                                .initial = "no",
-                                .doc = "Only opposite edges of every quad are equal: the spacing "
-                                       "may change from one polyline to the next."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_LENGTH_KEY(params, "length", length, "0", 0, 1e6,
+                   "Length of every edge. 0: the mean edge of the start."),
+    LAM_FLAG_KEY(params, "generalized", generalized, "no",
+                 "Only opposite edges of every quad are equal: the spacing may change from one "
+                 "polyline to the next."),
+    {0}};
 
 static const char *const measures[] = {"edge_variation", "opposite_edge_difference",
                                        "edge_length",    "crossing_angle",

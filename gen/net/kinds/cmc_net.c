@@ -47,36 +47,16 @@ static double target_angle(const void *given) {
 }
 
 static const lam_key keys[] = {
-    {.name = "radius",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(params, radius),
-     .count = 1,
-     .initial = "0",
-     .min = -1e12,
-     .max = 1e12,
-     .doc = "Radius of every sphere, 1 / mean curvature; negative when the centers lie behind the "
-            "surface, seen from "
-            "the tip of its normal (a tube or dome with normals outwards). 0: one radius for all "
-            "is found."},
-    {.name = "isogonal",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, isogonal),
-     .count = 1,
-     .initial = "yes",
-     .doc = "One crossing angle everywhere. no: angles are free; a net of constant normal "
-            "curvature on a surface whose "
-            "mean curvature varies."},
-    {.name = "angle",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = offsetof(params, angle),
-     .count = 1,
-     .initial = "90 deg",
-     .min = 5 * LAM_PI / 180,
-     .max = 175 * LAM_PI / 180,
-     .given_offset = offsetof(params, angle_given),
-     .doc = "That crossing angle. Only 90 deg makes the mean curvature constant."},
+    LAM_LENGTH_KEY(params, "radius", radius, "0", -1e12, 1e12,
+                   "Radius of every sphere, 1 / mean curvature; negative when the centers lie "
+                   "behind the surface, seen from the tip of its normal (a tube or dome with "
+                   "normals outwards). 0: one radius for all is found."),
+    LAM_FLAG_KEY(params, "isogonal", isogonal, "yes",
+                 "One crossing angle everywhere. no: angles are free; a net of constant normal "
+                 "curvature on a surface whose mean curvature varies."),
+    LAM_ANGLE_KEY(params, "angle", angle, "90 deg", 5 * LAM_PI / 180, 175 * LAM_PI / 180,
+                  "That crossing angle. Only 90 deg makes the mean curvature constant.",
+                  LAM_GIVEN(params, angle_given)),
     {0}};
 
 static const char *const measures[] = {"star_curvature",

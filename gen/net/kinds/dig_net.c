@@ -17,22 +17,11 @@ static void constrain(lam_scope *scope, const void *given, lam_location location
 static double target_angle(const void *given) { return ((const params *)given)->angle; }
 
 static const lam_key keys[] = {
-    {.name = "angle",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = offsetof(params, angle),
-     .count = 1,
-     .initial = "60 deg",
-     .min = 5 * LAM_PI / 180,
-     .max = 175 * LAM_PI / 180,
-     .doc = "Angle between the two families."},
-    {.name = "boundary-length",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, boundary_length),
-     .count = 1,
-     .initial = "no",
-     .doc = "Every side of the boundary keeps its length. Opposite sides of such a net are "
-            "equally long: a start whose sides differ cannot keep them."},
+    LAM_ANGLE_KEY(params, "angle", angle, "60 deg", 5 * LAM_PI / 180, 175 * LAM_PI / 180,
+                  "Angle between the two families."),
+    LAM_FLAG_KEY(params, "boundary-length", boundary_length, "no",
+                 "Every side of the boundary keeps its length. Opposite sides of such a net are "
+                 "equally long: a start whose sides differ cannot keep them."),
     {0}};
 
 static const char *const measures[] = {

@@ -13,20 +13,12 @@ static void constrain(lam_scope *scope, const void *given, lam_location location
 }
 
 static const lam_key keys[] = {
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, border),
-     .count = 1,
-     .initial = "no",
-     .doc = "Lines meet the border at equal angles to both sides: a calmer border, and fewer "
-            "shapes to choose from."},
-    {.name = "boundary-length",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, boundary_length),
-     .count = 1,
-     .initial = "no",
-     .doc = "Every side of the boundary keeps its length. Opposite sides of such a net are "
-            "equally long: a start whose sides differ cannot keep them."},
+    LAM_FLAG_KEY(params, "border", border, "no",
+                 "Lines meet the border at equal angles to both sides: a calmer border, and fewer "
+                 "shapes to choose from."),
+    LAM_FLAG_KEY(params, "boundary-length", boundary_length, "no",
+                 "Every side of the boundary keeps its length. Opposite sides of such a net are "
+                 "equally long: a start whose sides differ cannot keep them."),
     {0}};
 
 static const char *const measures[] = {"angle_spread",     "opposite_angle",

@@ -11,12 +11,8 @@ static void constrain(lam_scope *scope, const void *given, lam_location location
   if (p->boundary_length) lam_con_boundary_length.add(scope, NULL, 1, location);
 }
 
-static const lam_key keys[] = {{.name = "boundary-length",
-                                .type = LAM_KEY_FLAG,
-                                .offset = offsetof(params, boundary_length),
-                                .count = 1,
-                                .initial = "no",
-                                .doc = "Every side of the boundary keeps its length."},
+static const lam_key keys[] = {LAM_FLAG_KEY(params, "boundary-length", boundary_length, "no",
+                                            "Every side of the boundary keeps its length."),
                                {0}};
 
 static const char *const measures[] = {"opposite_angle",

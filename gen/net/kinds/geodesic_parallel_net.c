@@ -40,49 +40,23 @@ static void constrain_thesis(lam_scope *scope, const void *given, lam_location l
 }
 
 static const lam_key keys[] = {
-    {.name = "geodesics",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(params, geodesics),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1,
-     .doc = "Family whose lines are geodesics: 0, along u, or 1, along v."},
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, border),
-     .count = 1,
-     .initial = "yes",
-     .doc = "Geodesics meet the border where they end at right angles too; without it the lines "
-            "across zigzag."},
-    {.name = "developable",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(params, developable),
-     .count = 1,
-     .initial = "no",
-     .choices = developables,
-     .doc = "Strips whose width changes linearly: nearly developable. one-line: one geodesic is "
-            "divided evenly, the "
-            "others follow; thesis: all are, which is one equation too many per line, so that a "
-            "small residual stays."},
-    {.name = "widths",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(params, widths),
-     .count = 1,
-     .initial = "free",
-     .choices = width_choices,
-     .doc = "Widths of the strips between geodesics. equal: the same at every line across, "
-            "isometric to a surface of "
-            "revolution, strips are copies; proportional: the same up to a factor; constant: along "
-            "each strip."},
-    {.name = "isometric",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, isometric),
-     .count = 1,
-     .initial = "no",
-     .doc = "All edges keep their length at the start: bending without stretching. "
-            "Over-determined: a residual of about "
-            "1e-4 of an edge stays, and strain tells how much the net stretched."},
+    LAM_INTEGER_KEY(params, "geodesics", geodesics, "0", 0, 1,
+                    "Family whose lines are geodesics: 0, along u, or 1, along v."),
+    LAM_FLAG_KEY(params, "border", border, "yes",
+                 "Geodesics meet the border where they end at right angles too; without it the "
+                 "lines across zigzag."),
+    LAM_CHOICE_KEY(params, "developable", developable, "no", developables,
+                   "Strips whose width changes linearly: nearly developable. one-line: one "
+                   "geodesic is divided evenly, the others follow; thesis: all are, which is one "
+                   "equation too many per line, so that a small residual stays."),
+    LAM_CHOICE_KEY(params, "widths", widths, "free", width_choices,
+                   "Widths of the strips between geodesics. equal: the same at every line across, "
+                   "isometric to a surface of revolution, strips are copies; proportional: the "
+                   "same up to a factor; constant: along each strip."),
+    LAM_FLAG_KEY(
+        params, "isometric", isometric, "no",
+        "All edges keep their length at the start: bending without stretching. Over-determined: a "
+        "residual of about 1e-4 of an edge stays, and strain tells how much the net stretched."),
     {0}};
 
 static const char *const measures[] = {"straightness_u",

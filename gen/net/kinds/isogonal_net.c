@@ -20,31 +20,14 @@ static double target_angle(const void *given) { return ((const lam_angle_params 
 static const char *const tangents[] = {"bisector", "circle", NULL};
 
 static const lam_key keys[] = {
-    {.name = "angle",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = offsetof(lam_angle_params, angle),
-     .count = 1,
-     .initial = "90 deg",
-     .min = 5 * LAM_PI / 180,
-     .max = 175 * LAM_PI / 180,
-     .doc = "The crossing angle at every vertex. 90 deg: an orthogonal net."},
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(lam_angle_params, border),
-     .count = 1,
-     .initial = "yes",
-     .doc = "Reentrant corners of the border, which have four edges, keep the angle."},
-    {.name = "tangents",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_angle_params, tangents),
-     .count = 1,
-     .initial = "bisector",
-     .choices = tangents,
-     .doc = "Between what the angle is. bisector: the lines halfway between the two edges of a "
-            "polyline; circle: the "
-            "tangents of the circles through three of its vertices, which is better where edges "
-            "are unequal."},
+    LAM_ANGLE_KEY(lam_angle_params, "angle", angle, "90 deg", 5 * LAM_PI / 180, 175 * LAM_PI / 180,
+                  "The crossing angle at every vertex. 90 deg: an orthogonal net."),
+    LAM_FLAG_KEY(lam_angle_params, "border", border, "yes",
+                 "Reentrant corners of the border, which have four edges, keep the angle."),
+    LAM_CHOICE_KEY(lam_angle_params, "tangents", tangents, "bisector", tangents,
+                   "Between what the angle is. bisector: the lines halfway between the two edges "
+                   "of a polyline; circle: the tangents of the circles through three of its "
+                   "vertices, which is better where edges are unequal."),
     {0}};
 
 static const char *const measures[] = {"angle_deviation", "circle_angle_deviation",

@@ -23,21 +23,10 @@ static void constrain_thesis(lam_scope *scope, const void *given, lam_location l
 }
 
 static const lam_key keys[] = {
-    {.name = "length",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(params, length),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1e6,
-     .doc = "Length of every edge. 0: the mean edge of the start."},
-    {.name = "border",
-     .type = LAM_KEY_FLAG,
-     .offset = offsetof(params, border),
-     .count = 1,
-     .initial = "yes",
-     .doc = "Vertices of the border take part: their edges are coplanar."},
+    LAM_LENGTH_KEY(params, "length", length, "0", 0, 1e6,
+                   "Length of every edge. 0: the mean edge of the start."),
+    LAM_FLAG_KEY(params, "border", border, "yes",
+                 "Vertices of the border take part: their edges are coplanar."),
     {0}};
 
 static const char *const measures[] = {"star_planarity", "edge_variation", "gauss_curvature",

@@ -152,33 +152,17 @@ static const char *const measures[] = {"face_planarity", "conicality", "circular
                                        "shortest_edge",  "foldovers",  NULL};
 
 static const lam_key keys[] = {
-    {.name = "turn",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = offsetof(params, turn),
-     .initial = "120 deg",
-     .min = -20 * LAM_PI,
-     .max = 20 * LAM_PI,
-     .doc = "By how much the trajectory turns to the left in all; a list: in each of so many "
-            "sections with equal "
-            "numbers of cells."},
-    {.name = "edges",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(params, edges),
-     .initial = "[1 m]",
-     .doc = "Length of the trajectory's edges; a list: from the first to the last edge, evenly "
-            "spread and joined by "
-            "straight lines."},
-    {.name = "profile",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     .offset = offsetof(params, profile),
-     .initial = "[-2 m, 0,  -1.5 m, 1.5 m,  0, 2.4 m,  1.5 m, 1.5 m,  2 m, 0]",
-     .doc = "For points of the profile the distance from the trajectory, positive to the left, and "
-            "the height. As many "
-            "points as the grid asks for are its corners; otherwise a smooth curve through them is "
-            "divided."},
+    LAM_ANGLE_KEY(params, "turn", turn, "120 deg", -20 * LAM_PI, 20 * LAM_PI,
+                  "By how much the trajectory turns to the left in all; a list: in each of so many "
+                  "sections with equal numbers of cells."),
+    LAM_LENGTH_KEY(params, "edges", edges, "[1 m]", 0, 0,
+                   "Length of the trajectory's edges; a list: from the first to the last edge, "
+                   "evenly spread and joined by straight lines."),
+    LAM_LENGTH_KEY(params, "profile", profile,
+                   "[-2 m, 0,  -1.5 m, 1.5 m,  0, 2.4 m,  1.5 m, 1.5 m,  2 m, 0]", 0, 0,
+                   "For points of the profile the distance from the trajectory, positive to the "
+                   "left, and the height. As many points as the grid asks for are its corners; "
+                   "otherwise a smooth curve through them is divided."),
     {0}};
 
 const lam_net_kind lam_net_isogonal_molding = {

@@ -36,25 +36,15 @@ static double target_angle(const void *given) {
   return p->angle_given ? p->angle : NAN;
 }
 
-static const lam_key keys[] = {{.name = "planar",
-                                .type = LAM_KEY_FLAG,
-                                .offset = offsetof(params, planar),
-                                .count = 1,
-                                .initial = "no",
-                                .doc = "Faces are planar too. Possible where K > 0 (domes)."},
-                               {.name = "angle",
-                                .type = LAM_KEY_NUMBER,
-                                .unit = LAM_UNIT_ANGLE,
-                                .offset = offsetof(params, angle),
-                                .count = 1,
-                                .initial = "90 deg",
-                                .min = 5 * LAM_PI / 180,
-                                .max = 175 * LAM_PI / 180,
-                                .given_offset = offsetof(params, angle_given),
-                                .doc = "The same crossing angle at every vertex. With planar: yes "
-                                       "the ratio of the principal curvatures is then "
-                                       "tan^2(angle / 2) everywhere. Left out: angles are free."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_FLAG_KEY(params, "planar", planar, "no",
+                 "Faces are planar too. Possible where K > 0 (domes)."),
+    LAM_ANGLE_KEY(
+        params, "angle", angle, "90 deg", 5 * LAM_PI / 180, 175 * LAM_PI / 180,
+        "The same crossing angle at every vertex. With planar: yes the ratio of the principal "
+        "curvatures is then tan^2(angle / 2) everywhere. Left out: angles are free.",
+        LAM_GIVEN(params, angle_given)),
+    {0}};
 
 static const char *const measures[] = {
     "star_sphericity",        "principal_deviation", "star_curvature", "curvature_ratio",

@@ -228,96 +228,41 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
                    s->result.saddles);
 }
 
-#define AT(member) .offset = offsetof(least_area_keys, member)
 static const lam_key keys_table[] = {
     LAM_SIDES_KEYS(least_area_keys, sides, lam_side_table, "[]"),
-    {.name = "degree",
-     .type = LAM_KEY_INTEGER,
-     AT(degree),
-     .count = 2,
-     .initial = "[3, 3]",
-     .min = 1,
-     .max = LAM_LEAST_AREA_MAX_DEGREE,
-     .doc = "Polynomial degree in u and in v; raised to 3 when it is less."},
-    {.name = "count",
-     .type = LAM_KEY_INTEGER,
-     AT(count),
-     .count = 2,
-     .initial = "[4, 4]",
-     .min = 2,
-     .max = MAX_POINTS,
-     .doc = "Number of control points in u and in v."},
-    {.name = "points",
-     .type = LAM_KEY_NUMBER,
-     AT(points),
-     .initial = "[0, 0, 2,  0, 3, 1,  0, 6, 1,  0, 9, 2,"
-                " 3, 0, 4,  3, 9, 4,  6, 0, 4,  6, 9, 4,"
-                " 9, 0, 2,  9, 3, 1,  9, 6, 1,  9, 9, 2]",
-     .doc = "In place of curves: x, y, z of the control points, v running fastest, of the boundary "
-            "alone or of all "
-            "(inner ones are not used)."},
-    {.name = "weights",
-     .type = LAM_KEY_NUMBER,
-     AT(weights),
-     .initial = "[]",
-     .doc = "Positive weights in the order of points; none: all 1."},
-    {.name = "knots_u",
-     .type = LAM_KEY_NUMBER,
-     AT(knots[0]),
-     .initial = "[]",
-     .doc = "Knots in u, count + degree + 1, the first and the last repeated degree + 1 times; "
-            "none: evenly spaced."},
-    {.name = "knots_v",
-     .type = LAM_KEY_NUMBER,
-     AT(knots[1]),
-     .initial = "[]",
-     .doc = "Knots in v, likewise."},
-    {.name = "method",
-     .type = LAM_KEY_CHOICE,
-     AT(method),
-     .count = 1,
-     .initial = "newton",
-     .choices = methods,
-     .doc = "newton: the least area that the spans allow; paper: Bezier patches of degree 6 on "
-            "approximated borders, "
-            "then the nearest surface on the exact boundary (Wu & Wang); spans is not used."},
-    {.name = "spans",
-     .type = LAM_KEY_INTEGER,
-     AT(spans),
-     .count = 1,
-     .initial = "8",
-     .min = 1,
-     .max = MAX_SPANS,
-     .doc = "Knot spans in each direction, at least; 1: no knots are added, and the surface has "
-            "the given number of "
-            "points."},
-    {.name = "inner_weights",
-     .type = LAM_KEY_CHOICE,
-     AT(inner_weights),
-     .count = 1,
-     .initial = "fixed",
-     .choices = inner_weights,
-     .doc = "fixed: inner points have weight 1 before knots are added; separable: w_i0 w_0j / "
-            "w_00, as of a product of "
-            "two curves; free: their weights are sought too, between 0.01 and 30."},
-    {.name = "mean_curvature",
-     .type = LAM_KEY_NUMBER,
-     AT(mean_curvature),
-     .count = 1,
-     .initial = "0",
-     .doc = "Mean curvature to reach, in 1/m, positive towards x_u x x_v: as of a soap film under "
-            "pressure; 0: least "
-            "area."},
-    {.name = "tolerance",
-     .type = LAM_KEY_NUMBER,
-     AT(tolerance),
-     .count = 1,
-     .initial = "1e-9",
-     .min = 1e-14,
-     .max = 0.1,
-     .doc = "Stops where a step saves less than this part of the area; by the paper's method, "
-            "where the surface moves by "
-            "less than the root of it."},
+    LAM_INTEGER_KEY(least_area_keys, "degree", degree, "[3, 3]", 1, LAM_LEAST_AREA_MAX_DEGREE,
+                    "Polynomial degree in u and in v; raised to 3 when it is less."),
+    LAM_INTEGER_KEY(least_area_keys, "count", count, "[4, 4]", 2, MAX_POINTS,
+                    "Number of control points in u and in v."),
+    LAM_NUMBER_KEY(least_area_keys, "points", points,
+                   "[0, 0, 2,  0, 3, 1,  0, 6, 1,  0, 9, 2, 3, 0, 4,  3, 9, 4,  6, 0, 4,  6, 9, 4, "
+                   "9, 0, 2,  9, 3, 1,  9, 6, 1,  9, 9, 2]",
+                   0, 0,
+                   "In place of curves: x, y, z of the control points, v running fastest, of the "
+                   "boundary alone or of all (inner ones are not used)."),
+    LAM_NUMBER_KEY(least_area_keys, "weights", weights, "[]", 0, 0,
+                   "Positive weights in the order of points; none: all 1."),
+    LAM_NUMBER_KEY(least_area_keys, "knots_u", knots[0], "[]", 0, 0,
+                   "Knots in u, count + degree + 1, the first and the last repeated degree + 1 "
+                   "times; none: evenly spaced."),
+    LAM_NUMBER_KEY(least_area_keys, "knots_v", knots[1], "[]", 0, 0, "Knots in v, likewise."),
+    LAM_CHOICE_KEY(least_area_keys, "method", method, "newton", methods,
+                   "newton: the least area that the spans allow; paper: Bezier patches of degree 6 "
+                   "on approximated borders, then the nearest surface on the exact boundary (Wu & "
+                   "Wang); spans is not used."),
+    LAM_INTEGER_KEY(least_area_keys, "spans", spans, "8", 1, MAX_SPANS,
+                    "Knot spans in each direction, at least; 1: no knots are added, and the "
+                    "surface has the given number of points."),
+    LAM_CHOICE_KEY(
+        least_area_keys, "inner_weights", inner_weights, "fixed", inner_weights,
+        "fixed: inner points have weight 1 before knots are added; separable: w_i0 w_0j / w_00, as "
+        "of a product of two curves; free: their weights are sought too, between 0.01 and 30."),
+    LAM_NUMBER_KEY(least_area_keys, "mean_curvature", mean_curvature, "0", 0, 0,
+                   "Mean curvature to reach, in 1/m, positive towards x_u x x_v: as of a soap film "
+                   "under pressure; 0: least area."),
+    LAM_NUMBER_KEY(least_area_keys, "tolerance", tolerance, "1e-9", 1e-14, 0.1,
+                   "Stops where a step saves less than this part of the area; by the paper's "
+                   "method, where the surface moves by less than the root of it."),
     {0}};
 
 const lam_surface_kind lam_surface_least_area = {

@@ -75,80 +75,37 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   stage->measures[2] = (lam_measure){"thin_plate_energy", "m^2", energy, energy, energy, 1};
 }
 
-#define AT(member) offsetof(lam_quad_keys, member)
 static const lam_key keys[] = {
-    {.name = "form",
-     .type = LAM_KEY_CHOICE,
-     .offset = AT(form),
-     .count = 1,
-     .initial = "bi-7",
-     .choices = lam_quad_form_names,
-     .doc = "bi-7: quintic boundary, calm surface; bi-11: the same boundary as in the thesis; "
-            "bi-6, bi-8: quartic "
-            "boundary, curvatures follow; bi-13: rational; c1: boundary of three pieces, smooth; "
-            "b-spline: cubic "
-            "boundary of three pieces, with slight creases."},
-    {.name = "corners",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(corners),
-     .count = 12,
-     .initial = "[0, 0, 0,  4, 0.2, 1.2,  -0.3, 3.2, 1,  4.1, 3.6, -0.2]",
-     .doc = "x, y, z of the corners at (u,v) = (0,0), (1,0), (0,1), (1,1)."},
-    {.name = "tangents",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(tangents),
-     .count = 24,
-     .initial =
-         "[4.025, -0.88, 1.135,  3.965, 1.45, 0.94,  -0.98, 3.125, 0.93,  0.535, 3.25, 0.87,"
-         " 4.22, 1.765, -0.995,  4.33, -0.525, -1.05,  1.015, 3.4, -1.24,  -0.63, 3.29, -1.315]",
-     .doc = "Derivatives of the boundary curves v=0, u=0, v=1, u=1 at their start and end: x, y, z "
-            "of eight vectors. "
-            "About as long as the side; longer ones make the curves start straighter."},
-    {.name = "sides",
-     .type = LAM_KEY_INTEGER,
-     .offset = AT(sides),
-     .initial = "[]",
-     .min = -1,
-     .max = 1,
-     .doc = "For each of the four curves 1 when it bends into the patch, -1 away from it, 0 when "
-            "it is straight; none: "
-            "as the tangents turn."},
-    {.name = "curvatures",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(curvatures),
-     .initial = "[]",
-     .min = 0,
-     .max = 1e9,
-     .doc = "Curvature of the four curves at start and end, one over the unit of the corners; "
-            "none: those of least "
-            "bending energy."},
-    {.name = "slopes",
-     .type = LAM_KEY_FLAG,
-     .offset = AT(slopes),
-     .count = 1,
-     .initial = "no",
-     .doc = "Whether the vertical parts of the tangents are chosen for the calmest surface, which "
-            "takes some seconds; "
-            "the given ones are ignored then."},
-    {.name = "weights",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(weights),
-     .count = 4,
-     .initial = "[1, 1, 1, 1]",
-     .doc = "Weights of the corners, for bi-13."},
-    {.name = "knots",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(knots),
-     .count = 4,
-     .initial = "[0.35, 0.65, 0.35, 0.65]",
-     .doc = "Inner knots of the curves along u and of those along v, for b-spline and c1."},
-    {.name = "unit",
-     .type = LAM_KEY_CHOICE,
-     .offset = AT(unit),
-     .count = 1,
-     .initial = "m",
-     .choices = lam_point_units,
-     .doc = "Unit of corners and tangents."},
+    LAM_CHOICE_KEY(
+        lam_quad_keys, "form", form, "bi-7", lam_quad_form_names,
+        "bi-7: quintic boundary, calm surface; bi-11: the same boundary as in the thesis; bi-6, "
+        "bi-8: quartic boundary, curvatures follow; bi-13: rational; c1: boundary of three pieces, "
+        "smooth; b-spline: cubic boundary of three pieces, with slight creases."),
+    LAM_NUMBER_KEY(lam_quad_keys, "corners", corners,
+                   "[0, 0, 0,  4, 0.2, 1.2,  -0.3, 3.2, 1,  4.1, 3.6, -0.2]", 0, 0,
+                   "x, y, z of the corners at (u,v) = (0,0), (1,0), (0,1), (1,1)."),
+    LAM_NUMBER_KEY(
+        lam_quad_keys, "tangents", tangents,
+        "[4.025, -0.88, 1.135,  3.965, 1.45, 0.94,  -0.98, 3.125, 0.93,  0.535, 3.25, 0.87, 4.22, "
+        "1.765, -0.995,  4.33, -0.525, -1.05,  1.015, 3.4, -1.24,  -0.63, 3.29, -1.315]",
+        0, 0,
+        "Derivatives of the boundary curves v=0, u=0, v=1, u=1 at their start and end: x, y, z of "
+        "eight vectors. About as long as the side; longer ones make the curves start straighter."),
+    LAM_INTEGER_KEY(lam_quad_keys, "sides", sides, "[]", -1, 1,
+                    "For each of the four curves 1 when it bends into the patch, -1 away from it, "
+                    "0 when it is straight; none: as the tangents turn."),
+    LAM_NUMBER_KEY(lam_quad_keys, "curvatures", curvatures, "[]", 0, 1e9,
+                   "Curvature of the four curves at start and end, one over the unit of the "
+                   "corners; none: those of least bending energy."),
+    LAM_FLAG_KEY(lam_quad_keys, "slopes", slopes, "no",
+                 "Whether the vertical parts of the tangents are chosen for the calmest surface, "
+                 "which takes some seconds; the given ones are ignored then."),
+    LAM_NUMBER_KEY(lam_quad_keys, "weights", weights, "[1, 1, 1, 1]", 0, 0,
+                   "Weights of the corners, for bi-13."),
+    LAM_NUMBER_KEY(lam_quad_keys, "knots", knots, "[0.35, 0.65, 0.35, 0.65]", 0, 0,
+                   "Inner knots of the curves along u and of those along v, for b-spline and c1."),
+    LAM_CHOICE_KEY(lam_quad_keys, "unit", unit, "m", lam_point_units,
+                   "Unit of corners and tangents."),
     {0}};
 
 const lam_surface_kind lam_surface_asymptotic_quad = {

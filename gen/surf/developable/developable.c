@@ -124,42 +124,23 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   if (d->result.escapes) lam_stage_note(arena, stage, "saddle points left: %d", d->result.escapes);
 }
 
-#define AT(member) offsetof(developable_keys, member)
 static const lam_key keys[] = {
     LAM_SIDES_KEYS(developable_keys, sides, lam_side_table,
                    "[{points: [0, 0, 0,  1, -0.2, 0.55,  2, 0.1, 0.75,  3, 0, 0.3]},"
                    " {points: [0, 0, 0,  -0.15, 1, 0.2,  0.1, 2, 0.1,  0, 3, 0.25]},"
                    " {points: [0, 3, 0.25,  1, 3.15, 0.95,  2, 2.9, 0.8,  3, 3, 0.05]},"
                    " {points: [3, 0, 0.3,  3.1, 1, -0.05,  3.2, 2, 0.05,  3, 3, 0.05]}]"),
-    {.name = "power",
-     .type = LAM_KEY_NUMBER,
-     .offset = AT(power),
-     .count = 1,
-     .initial = "2",
-     .min = 2,
-     .max = 96,
-     .doc = "The p of the L^p norm of the Gaussian curvature: 2 makes it small in the mean square; "
-            "the higher, the more "
-            "the largest values count. Not used by the method minimax."},
-    {.name = "method",
-     .type = LAM_KEY_CHOICE,
-     .offset = AT(method),
-     .count = 1,
-     .initial = "newton",
-     .choices = methods,
-     .doc = "newton: Levenberg-Marquardt, then Newton's method, past saddle points; minimax: the "
-            "same on ever higher "
-            "powers, until the largest value of the Gaussian curvature is least; the others are "
-            "the two of the paper, "
-            "for comparison."},
-    {.name = "flatten",
-     .type = LAM_KEY_INTEGER,
-     .offset = AT(cells),
-     .count = 1,
-     .initial = "40",
-     .min = 2,
-     .max = 200,
-     .doc = "Cells in each direction of the grid that is laid flat for the report."},
+    LAM_NUMBER_KEY(
+        developable_keys, "power", power, "2", 2, 96,
+        "The p of the L^p norm of the Gaussian curvature: 2 makes it small in the mean square; the "
+        "higher, the more the largest values count. Not used by the method minimax."),
+    LAM_CHOICE_KEY(
+        developable_keys, "method", method, "newton", methods,
+        "newton: Levenberg-Marquardt, then Newton's method, past saddle points; minimax: the same "
+        "on ever higher powers, until the largest value of the Gaussian curvature is least; the "
+        "others are the two of the paper, for comparison."),
+    LAM_INTEGER_KEY(developable_keys, "flatten", cells, "40", 2, 200,
+                    "Cells in each direction of the grid that is laid flat for the report."),
     {0}};
 
 const lam_surface_kind lam_surface_developable = {

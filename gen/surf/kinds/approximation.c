@@ -163,7 +163,6 @@ static lam_point_file *cloud_of(void *params) {
   return &((approximation_keys *)params)->points.cloud;
 }
 
-#define AT(member) .offset = offsetof(approximation_keys, member)
 static const lam_key keys[] = {
     LAM_POINT_KEYS(approximation_keys, points,
                    "[-0.3, 0.0, 0.02,  0.1, 2.1, 0.15,  -0.5, 4.3, 0.21,  -0.3, 6.5, 0.32,  0.3, "
@@ -182,73 +181,27 @@ static const lam_key keys[] = {
                    "12.1, 8.0, 0.70,  11.9, 10.2, "
                    "0.66]",
                    "x, y, z of every point, in any order; with grid, v running fastest."),
-    {.name = "grid",
-     .type = LAM_KEY_INTEGER,
-     AT(grid),
-     .count = 2,
-     .initial = "[0, 0]",
-     .min = 0,
-     .max = 10000,
-     .doc = "Number of points in u and in v when they are a grid; [0, 0]: a cloud that lies over a "
-            "plane without folds, "
-            "u along x as far as the plane allows."},
-    {.name = "count",
-     .type = LAM_KEY_INTEGER,
-     AT(count),
-     .count = 2,
-     .initial = "[4, 4]",
-     .min = 2,
-     .max = MAX_COUNT,
-     .doc = "Number of control points in u and in v: few make a calm surface, many follow the "
-            "points."},
-    {.name = "degree",
-     .type = LAM_KEY_INTEGER,
-     AT(degree),
-     .count = 2,
-     .initial = "[3, 3]",
-     .min = 1,
-     .max = LAM_BASIS_MAX_DEGREE,
-     .doc = "Degree in u and in v."},
-    {.name = "knots",
-     .type = LAM_KEY_CHOICE,
-     AT(knots),
-     .count = 1,
-     .initial = "even",
-     .choices = knot_names,
-     .doc = "even: control points are spread evenly; dense: as the points are, more of them where "
-            "the scan is denser."},
-    {.name = "fairness",
-     .type = LAM_KEY_NUMBER,
-     AT(fairness),
-     .count = 1,
-     .initial = "1e-6",
-     .min = 0,
-     .max = 1e6,
-     .doc = "Weight of the bending energy against the mean square distance: 1e-6 bridges gaps "
-            "between points, 1e-4 takes "
-            "out noise, 1e-2 flattens."},
-    {.name = "within",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_LENGTH,
-     AT(within),
-     .count = 1,
-     .initial = "0",
-     .min = 0,
-     .max = 1e6,
-     .doc = "No point shall be farther from the surface, before `size` scales it: control points "
-            "are added and fairness "
-            "is taken away, a sixteenth of it left each time, until that is so, at most as many as "
-            "there are points; 0: "
-            "`count` as it is."},
-    {.name = "corrections",
-     .type = LAM_KEY_INTEGER,
-     AT(corrections),
-     .count = 1,
-     .initial = "5",
-     .min = 0,
-     .max = MAX_CORRECTIONS,
-     .doc = "How often the points' parameters are moved to their feet on the surface and the "
-            "surface is found anew."},
+    LAM_INTEGER_KEY(approximation_keys, "grid", grid, "[0, 0]", 0, 10000,
+                    "Number of points in u and in v when they are a grid; [0, 0]: a cloud that "
+                    "lies over a plane without folds, u along x as far as the plane allows."),
+    LAM_INTEGER_KEY(
+        approximation_keys, "count", count, "[4, 4]", 2, MAX_COUNT,
+        "Number of control points in u and in v: few make a calm surface, many follow the points."),
+    LAM_INTEGER_KEY(approximation_keys, "degree", degree, "[3, 3]", 1, LAM_BASIS_MAX_DEGREE,
+                    "Degree in u and in v."),
+    LAM_CHOICE_KEY(approximation_keys, "knots", knots, "even", knot_names,
+                   "even: control points are spread evenly; dense: as the points are, more of them "
+                   "where the scan is denser."),
+    LAM_NUMBER_KEY(approximation_keys, "fairness", fairness, "1e-6", 0, 1e6,
+                   "Weight of the bending energy against the mean square distance: 1e-6 bridges "
+                   "gaps between points, 1e-4 takes out noise, 1e-2 flattens."),
+    LAM_LENGTH_KEY(approximation_keys, "within", within, "0", 0, 1e6,
+                   "No point shall be farther from the surface, before `size` scales it: control "
+                   "points are added and fairness is taken away, a sixteenth of it left each time, "
+                   "until that is so, at most as many as there are points; 0: `count` as it is."),
+    LAM_INTEGER_KEY(approximation_keys, "corrections", corrections, "5", 0, MAX_CORRECTIONS,
+                    "How often the points' parameters are moved to their feet on the surface and "
+                    "the surface is found anew."),
     {0}};
 
 const lam_surface_kind lam_surface_approximation = {

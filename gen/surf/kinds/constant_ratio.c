@@ -96,16 +96,9 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
 }
 
 static const lam_key keys[] = {
-    {.name = "angle",
-     .type = LAM_KEY_NUMBER,
-     .unit = LAM_UNIT_ANGLE,
-     .offset = offsetof(lam_constant_ratio_keys, angle),
-     .count = 1,
-     .initial = "60 deg",
-     .min = LAM_PI / 9,
-     .max = LAM_PI * 8 / 9,
-     .doc = "Angle at which the asymptotic lines cross, with the ring between them; from 20 "
-            "to 160 degrees, 90 deg is the catenoid."},
+    LAM_ANGLE_KEY(lam_constant_ratio_keys, "angle", angle, "60 deg", LAM_PI / 9, LAM_PI * 8 / 9,
+                  "Angle at which the asymptotic lines cross, with the ring between them; from 20 "
+                  "to 160 degrees, 90 deg is the catenoid."),
     {0}};
 
 const lam_surface_kind lam_surface_constant_ratio = {

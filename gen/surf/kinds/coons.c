@@ -87,14 +87,9 @@ static const lam_key keys[] = {
                    " {points: [0, 0, 0,  0, 3, 2,  0, 6, 1]},"
                    " {points: [0, 6, 1,  3, 7, 3,  6, 6, 1]},"
                    " {points: [6, 0, 0,  7, 2, 0,  7, 4, 1,  6, 6, 1]}]"),
-    {.name = "blend",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(coons_keys, blend),
-     .count = 1,
-     .initial = "bilinear",
-     .choices = blends,
-     .doc = "bilinear: linear from side to side; hermite: cubic, with given derivatives across the "
-            "sides."},
+    LAM_CHOICE_KEY(coons_keys, "blend", blend, "bilinear", blends,
+                   "bilinear: linear from side to side; hermite: cubic, with given derivatives "
+                   "across the sides."),
     {0}};
 
 const lam_surface_kind lam_surface_coons = {

@@ -76,14 +76,8 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
   *v = atan2(x[2], hypot(x[0], x[1]));
 }
 
-static const lam_key keys[] = {{.name = "axes",
-                                .type = LAM_KEY_NUMBER,
-                                .offset = offsetof(lam_ellipsoid_keys, axes),
-                                .count = 3,
-                                .initial = "[3, 2, 1]",
-                                .min = 1e-3,
-                                .max = 1e6,
-                                .doc = "Half axes along x, y and z."},
+static const lam_key keys[] = {LAM_NUMBER_KEY(lam_ellipsoid_keys, "axes", axes, "[3, 2, 1]", 1e-3,
+                                              1e6, "Half axes along x, y and z."),
                                {0}};
 
 const lam_surface_kind lam_surface_ellipsoid = {

@@ -86,15 +86,9 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
   *v = radius * sin(angle);
 }
 
-static const lam_key keys[] = {{.name = "order",
-                                .type = LAM_KEY_INTEGER,
-                                .offset = offsetof(lam_enneper, order),
-                                .count = 1,
-                                .initial = "1",
-                                .min = 1,
-                                .max = 9,
-                                .doc = "Order k: the rim rises and falls k + 1 times; 1 is the "
-                                       "classical saddle, 2 a monkey saddle."},
+static const lam_key keys[] = {LAM_INTEGER_KEY(lam_enneper, "order", order, "1", 1, 9,
+                                               "Order k: the rim rises and falls k + 1 times; 1 is "
+                                               "the classical saddle, 2 a monkey saddle."),
                                {0}};
 
 const lam_surface_kind lam_surface_enneper = {

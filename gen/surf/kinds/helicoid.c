@@ -39,13 +39,8 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
 
 static const char *const hands[] = {"right", "left", NULL};
 static const lam_key keys[] = {
-    {.name = "hand",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_helicoid, hand),
-     .count = 1,
-     .initial = "right",
-     .choices = hands,
-     .doc = "Sense of the screw: right rises counterclockwise seen from above."},
+    LAM_CHOICE_KEY(lam_helicoid, "hand", hand, "right", hands,
+                   "Sense of the screw: right rises counterclockwise seen from above."),
     {0}};
 
 const lam_surface_kind lam_surface_helicoid = {

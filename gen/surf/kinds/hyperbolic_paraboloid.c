@@ -59,19 +59,11 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
 }
 
 static const lam_key keys[] = {
-    {.name = "corners",
-     .type = LAM_KEY_NUMBER,
-     .offset = offsetof(lam_hypar_keys, corners),
-     .count = 12,
-     .initial = "[0, 0, 0,  1, 0, 1,  1, 1, 0,  0, 1, 1]",
-     .doc = "x, y, z of the four corners, counterclockwise seen from the side of the normal."},
-    {.name = "unit",
-     .type = LAM_KEY_CHOICE,
-     .offset = offsetof(lam_hypar_keys, unit),
-     .count = 1,
-     .initial = "m",
-     .choices = lam_point_units,
-     .doc = "Unit of the numbers in corners."},
+    LAM_NUMBER_KEY(
+        lam_hypar_keys, "corners", corners, "[0, 0, 0,  1, 0, 1,  1, 1, 0,  0, 1, 1]", 0, 0,
+        "x, y, z of the four corners, counterclockwise seen from the side of the normal."),
+    LAM_CHOICE_KEY(lam_hypar_keys, "unit", unit, "m", lam_point_units,
+                   "Unit of the numbers in corners."),
     {0}};
 
 const lam_surface_kind lam_surface_hyperbolic_paraboloid = {

@@ -84,50 +84,27 @@ static lam_point_file *cloud_of(void *params) {
   return &((interpolation_keys *)params)->points.cloud;
 }
 
-#define AT(member) .offset = offsetof(interpolation_keys, member)
-static const lam_key keys[] = {{.name = "count",
-                                .type = LAM_KEY_INTEGER,
-                                AT(count),
-                                .count = 2,
-                                .initial = "[4, 4]",
-                                .min = 2,
-                                .max = MAX_POINTS,
-                                .doc = "Number of points in u and in v."},
-                               LAM_POINT_KEYS(interpolation_keys, points,
-                                              "[0, 0, 0,  0, 3, 1,  0, 6, 1,  0, 9, 0,"
-                                              " 3, 0, 1,  3, 3, 3,  3, 6, 2.5,  3, 9, 1,"
-                                              " 6, 0, 1,  6, 3, 2.5,  6, 6, 3,  6, 9, 1,"
-                                              " 9, 0, 0,  9, 3, 1,  9, 6, 1,  9, 9, 0.5]",
-                                              "x, y, z of every point, v running fastest: first "
-                                              "all points of the first u, then of the second."),
-                               {.name = "parameters",
-                                .type = LAM_KEY_CHOICE,
-                                AT(parameters),
-                                .count = 1,
-                                .initial = "chord",
-                                .choices = lam_parameters_names,
-                                .doc = "How the points are spread over the parameters; centripetal "
-                                       "and modified-chord overshoot less at turns."},
-                               {.name = "ends",
-                                .type = LAM_KEY_CHOICE,
-                                AT(ends),
-                                .count = 1,
-                                .initial = "not-a-knot",
-                                .choices = end_names,
-                                .doc = "not-a-knot: cubic, the outer two pieces are one; natural: "
-                                       "cubic, not bent at the sides; average: any "
-                                       "degree, knots are averages of parameters; local: cubic "
-                                       "with continuous tangent planes only, but a point "
-                                       "moves no more than the four rows around it."},
-                               {.name = "degree",
-                                .type = LAM_KEY_INTEGER,
-                                AT(degree),
-                                .count = 2,
-                                .initial = "[3, 3]",
-                                .min = 1,
-                                .max = LAM_BASIS_MAX_DEGREE,
-                                .doc = "Degree in u and in v; 3 unless ends is average."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_INTEGER_KEY(interpolation_keys, "count", count, "[4, 4]", 2, MAX_POINTS,
+                    "Number of points in u and in v."),
+    LAM_POINT_KEYS(interpolation_keys, points,
+                   "[0, 0, 0,  0, 3, 1,  0, 6, 1,  0, 9, 0,"
+                   " 3, 0, 1,  3, 3, 3,  3, 6, 2.5,  3, 9, 1,"
+                   " 6, 0, 1,  6, 3, 2.5,  6, 6, 3,  6, 9, 1,"
+                   " 9, 0, 0,  9, 3, 1,  9, 6, 1,  9, 9, 0.5]",
+                   "x, y, z of every point, v running fastest: first "
+                   "all points of the first u, then of the second."),
+    LAM_CHOICE_KEY(interpolation_keys, "parameters", parameters, "chord", lam_parameters_names,
+                   "How the points are spread over the parameters; centripetal and modified-chord "
+                   "overshoot less at turns."),
+    LAM_CHOICE_KEY(
+        interpolation_keys, "ends", ends, "not-a-knot", end_names,
+        "not-a-knot: cubic, the outer two pieces are one; natural: cubic, not bent at the sides; "
+        "average: any degree, knots are averages of parameters; local: cubic with continuous "
+        "tangent planes only, but a point moves no more than the four rows around it."),
+    LAM_INTEGER_KEY(interpolation_keys, "degree", degree, "[3, 3]", 1, LAM_BASIS_MAX_DEGREE,
+                    "Degree in u and in v; 3 unless ends is average."),
+    {0}};
 
 const lam_surface_kind lam_surface_interpolation = {
     .head = {.name = "interpolation",

@@ -164,38 +164,20 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   return s;
 }
 
-static const lam_key keys[] = {{.name = "trajectory",
-                                .type = LAM_KEY_NUMBER,
-                                .offset = offsetof(lam_molding_keys, trajectory),
-                                .initial = "[0, 0,  6, 0,  6, 6,  12, 6]",
-                                .doc = "x and y of every control point of the curve on the ground "
-                                       "along which the profile travels."},
-                               {.name = "profile",
-                                .type = LAM_KEY_NUMBER,
-                                .offset = offsetof(lam_molding_keys, profile),
-                                .initial = "[-2, 0,  -2, 3,  2, 3,  2, 0]",
-                                .doc =
-                                    "For every control point of the profile its distance from the "
-                                    "trajectory, positive to the left, and its "
-                                    "height; from right to left when the normal shall point up."},
-                               {.name = "degree",
-                                .type = LAM_KEY_INTEGER,
-                                .offset = offsetof(lam_molding_keys, degree),
-                                .count = 2,
-                                .initial = "[3, 3]",
-                                .min = 2,
-                                .max = MAX_DEGREE,
-                                .doc = "Degrees of trajectory and profile; with one point more "
-                                       "than the degree a curve is a Bezier curve, with "
-                                       "fewer its degree is lower."},
-                               {.name = "unit",
-                                .type = LAM_KEY_CHOICE,
-                                .offset = offsetof(lam_molding_keys, unit),
-                                .count = 1,
-                                .initial = "m",
-                                .choices = lam_point_units,
-                                .doc = "Unit of the numbers in trajectory and profile."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_NUMBER_KEY(lam_molding_keys, "trajectory", trajectory, "[0, 0,  6, 0,  6, 6,  12, 6]", 0, 0,
+                   "x and y of every control point of the curve on the ground along which the "
+                   "profile travels."),
+    LAM_NUMBER_KEY(
+        lam_molding_keys, "profile", profile, "[-2, 0,  -2, 3,  2, 3,  2, 0]", 0, 0,
+        "For every control point of the profile its distance from the trajectory, positive to the "
+        "left, and its height; from right to left when the normal shall point up."),
+    LAM_INTEGER_KEY(lam_molding_keys, "degree", degree, "[3, 3]", 2, MAX_DEGREE,
+                    "Degrees of trajectory and profile; with one point more than the degree a "
+                    "curve is a Bezier curve, with fewer its degree is lower."),
+    LAM_CHOICE_KEY(lam_molding_keys, "unit", unit, "m", lam_point_units,
+                   "Unit of the numbers in trajectory and profile."),
+    {0}};
 
 const lam_surface_kind lam_surface_molding = {
     .head = {.name = "molding",

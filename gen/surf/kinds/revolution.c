@@ -84,19 +84,12 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
   *v = q;
 }
 
-static const lam_key keys[] = {{.name = "profile",
-                                .type = LAM_KEY_NUMBER,
-                                .offset = offsetof(lam_revolution_keys, profile),
-                                .initial = "[1.2, 0,  0.8, 1,  0.7, 2,  0.9, 3]",
-                                .doc = "r and z of every point of the profile, from bottom to top "
-                                       "when the normal shall point outward."},
-                               {.name = "unit",
-                                .type = LAM_KEY_CHOICE,
-                                .offset = offsetof(lam_revolution_keys, unit),
-                                .count = 1,
-                                .initial = "m",
-                                .choices = lam_point_units,
-                                .doc = "Unit of the numbers in profile."},
+static const lam_key keys[] = {LAM_NUMBER_KEY(lam_revolution_keys, "profile", profile,
+                                              "[1.2, 0,  0.8, 1,  0.7, 2,  0.9, 3]", 0, 0,
+                                              "r and z of every point of the profile, from bottom "
+                                              "to top when the normal shall point outward."),
+                               LAM_CHOICE_KEY(lam_revolution_keys, "unit", unit, "m",
+                                              lam_point_units, "Unit of the numbers in profile."),
                                {0}};
 
 const lam_surface_kind lam_surface_revolution = {

@@ -29,15 +29,8 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
   *v = chart == LAM_CHART_PRINCIPAL ? atan(sinh(q)) : q;
 }
 
-static const lam_key keys[] = {{.name = "radius",
-                                .type = LAM_KEY_NUMBER,
-                                .offset = offsetof(lam_sphere, radius),
-                                .count = 1,
-                                .initial = "1",
-                                .min = 1e-3,
-                                .max = 1e6,
-                                .doc = "Radius."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_NUMBER_KEY(lam_sphere, "radius", radius, "1", 1e-3, 1e6, "Radius."), {0}};
 
 const lam_surface_kind lam_surface_sphere = {
     .head = {.name = "sphere",

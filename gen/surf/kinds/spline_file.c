@@ -45,20 +45,11 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
 }
 
 static const lam_key keys[] = {
-    {.name = "file",
-     .type = LAM_KEY_TEXT,
-     .offset = offsetof(lam_surface_source, file),
-     .count = 1,
-     .initial = "surface.json",
-     .doc = "A .step, .stp, .igs, .iges, .json or .obj file, beside the design."},
-    {.name = "face",
-     .type = LAM_KEY_INTEGER,
-     .offset = offsetof(lam_surface_source, face),
-     .count = 1,
-     .initial = "1",
-     .min = 1,
-     .max = 1000000,
-     .doc = "Which of the file's B-spline surfaces, counted from 1 in their order in the file."},
+    LAM_TEXT_KEY(lam_surface_source, "file", file, "surface.json",
+                 "A .step, .stp, .igs, .iges, .json or .obj file, beside the design."),
+    LAM_INTEGER_KEY(
+        lam_surface_source, "face", face, "1", 1, 1000000,
+        "Which of the file's B-spline surfaces, counted from 1 in their order in the file."),
     {0}};
 
 const lam_surface_kind lam_surface_file = {

@@ -50,23 +50,12 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
   *v = 2 * (a + atan((k - 1) * s * c / (c * c + k * s * s)));
 }
 
-static const lam_key keys[] = {{.name = "ring",
-                                .type = LAM_KEY_NUMBER,
-                                .offset = offsetof(lam_torus, ring),
-                                .count = 1,
-                                .initial = "3",
-                                .min = 1e-3,
-                                .max = 1e6,
-                                .doc = "Radius of the ring that the middle of the tube follows."},
-                               {.name = "tube",
-                                .type = LAM_KEY_NUMBER,
-                                .offset = offsetof(lam_torus, tube),
-                                .count = 1,
-                                .initial = "1",
-                                .min = 1e-3,
-                                .max = 1e6,
-                                .doc = "Radius of the tube; smaller than ring."},
-                               {0}};
+static const lam_key keys[] = {
+    LAM_NUMBER_KEY(lam_torus, "ring", ring, "3", 1e-3, 1e6,
+                   "Radius of the ring that the middle of the tube follows."),
+    LAM_NUMBER_KEY(lam_torus, "tube", tube, "1", 1e-3, 1e6,
+                   "Radius of the tube; smaller than ring."),
+    {0}};
 
 const lam_surface_kind lam_surface_torus = {
     .head = {.name = "torus",

@@ -263,11 +263,8 @@ bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limi
 const lam_key lam_side_table[] = {CURVE_ROWS, {0}};
 const lam_key lam_side_across_table[] = {
     CURVE_ROWS,
-    {.name = "across",
-     .type = LAM_KEY_NUMBER,
-     AT(across),
-     .initial = "[]",
-     .doc = "Derivatives across the side, by v from v=0 to v=1 or by u from u=0 to u=1, as x, y, z "
-            "of one control "
-            "vector per point; none: mixed from the slopes of the sides that end there."},
+    LAM_NUMBER_KEY(
+        lam_side_keys, "across", across, "[]", 0, 0,
+        "Derivatives across the side, by v from v=0 to v=1 or by u from u=0 to u=1, as x, y, z of "
+        "one control vector per point; none: mixed from the slopes of the sides that end there."),
     {0}};
