@@ -24,11 +24,11 @@ typedef struct closer {
 struct lam_arena {
   block *last;
   closer *closers;
-  int has_recovery;
-  jmp_buf recovery;
+  jmp_buf *recovery; /* in a frame that is still there; NULL: none */
+  jmp_buf own;
 };
 
-static long fail_after = -1, allocations;
+static _Thread_local long fail_after = -1, allocations;
 
 long lam_alloc_fail_after(long n) {
   long made = allocations;
@@ -68,15 +68,29 @@ void lam_arena_free(lam_arena *arena) {
   free(arena);
 }
 
-jmp_buf *lam_arena_recovery(lam_arena *arena) {
-  arena->has_recovery = 1;
-  return &arena->recovery;
+jmp_buf *lam_arena_recover(lam_arena *arena, jmp_buf *point) {
+  jmp_buf *before = arena->recovery;
+  arena->recovery = point;
+  return before;
+}
+
+jmp_buf *lam_arena_recovery(lam_arena *arena) { return arena->recovery = &arena->own; }
+
+bool lam_arena_run(lam_arena *arena, void (*body)(void *context), void *context) {
+  jmp_buf point, *before = lam_arena_recover(arena, &point);
+  volatile bool done = false;
+  if (setjmp(point) == 0) {
+    body(context);
+    done = true;
+  }
+  lam_arena_recover(arena, before);
+  return done;
 }
 
 void lam_arena_exhausted(lam_arena *arena) {
-  if (arena->has_recovery) longjmp(arena->recovery, 1);
-  fputs("lamella: out of memory\n", stderr);
-  abort();
+  if (arena->recovery) longjmp(*arena->recovery, 1);
+  assert(!"memory ran out, and the caller has no recovery point");
+  abort(); /* nowhere to go on: a mistake of the caller, which the face never makes */
 }
 
 /* NULL when memory runs out. */

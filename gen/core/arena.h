@@ -1,5 +1,5 @@
 /* The memory of one run. Allocations are zeroed and never NULL: when memory runs out, control jumps
- * to the run's recovery point (LAM_ARENA_TRY). What needs closing (a factorization, a tree behind a
+ * to the run's recovery point (lam_arena_run). What needs closing (a factorization, a tree behind a
  * shim) is deferred to the arena and closed with it, in reverse order. An arena belongs to one
  * thread.
  *
@@ -8,6 +8,7 @@
 #define LAM_CORE_ARENA_H
 
 #include <setjmp.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct lam_arena lam_arena;
@@ -40,15 +41,19 @@ typedef struct lam_arena_mark {
 lam_arena_mark lam_arena_mark_get(const lam_arena *arena);
 void lam_arena_release(lam_arena *arena, lam_arena_mark mark);
 
-/* True the first time; false when an allocation failed afterwards. One recovery point per arena:
- *   if (!LAM_ARENA_TRY(arena)) { ... out of memory ... }
- * Without a recovery point, running out of memory ends the process with a message. */
+/* Runs body(context) with a recovery point of its own: false when memory ran out inside, and
+ * whatever body allocated until then stays with the arena. The point is gone afterwards, and that of
+ * an outer run is back. */
+bool lam_arena_run(lam_arena *arena, void (*body)(void *context), void *context);
+/* The bare mechanism, for callers that cannot hand over a function: makes point (set by setjmp in a
+ * frame that is still there) the recovery point, NULL: none; returns the one before. */
+jmp_buf *lam_arena_recover(lam_arena *arena, jmp_buf *point);
 #define LAM_ARENA_TRY(arena) (setjmp(*lam_arena_recovery(arena)) == 0)
 jmp_buf *lam_arena_recovery(lam_arena *arena);
 /* Jumps to the recovery point: for callers whose own library reports that memory ran out. */
 void lam_arena_exhausted(lam_arena *arena) __attribute__((noreturn));
 
-/* Test hook: the n-th allocation from now fails (n = 0: the next one); a negative n never fails.
+/* Test hook of the calling thread: the n-th allocation from now fails (n = 0: the next one); a negative n never fails.
  * Returns the number of allocations made since the last call. */
 long lam_alloc_fail_after(long n);
 

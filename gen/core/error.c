@@ -29,6 +29,24 @@ void lam_error_add(lam_errors *errors, lam_location location, const char *key, c
   errors->count++;
 }
 
+lam_status lam_errors_status(const lam_errors *errors) {
+  if (!errors->count) return LAM_OK;
+  return errors->status != LAM_OK ? errors->status : LAM_BAD_INPUT;
+}
+
+const char *lam_status_text(lam_status status) {
+  static const char *const texts[] = {
+      [LAM_OK] = "done",
+      [LAM_BAD_INPUT] = "bad input",
+      [LAM_IO] = "a file cannot be read or written",
+      [LAM_NO_MEMORY] = "out of memory",
+      [LAM_MISSING_PROGRAM] = "a program is not installed",
+      [LAM_FAILED] = "an outside library or program failed",
+  };
+  bool known = (unsigned)status < sizeof texts / sizeof *texts;
+  return known ? texts[status] : "unknown status";
+}
+
 /* Damerau-Levenshtein distance (adjacent swaps count once), case ignored; texts beyond the limit
  * are never close. */
 enum { longest_name = 40 };

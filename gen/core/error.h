@@ -4,35 +4,17 @@
 #define LAM_CORE_ERROR_H
 
 #include "core/arena.h"
-
-typedef enum lam_status {
-  LAM_OK = 0,
-  LAM_BAD_INPUT,       /* the input is wrong: see the messages */
-  LAM_IO,              /* a file could not be read or written */
-  LAM_NO_MEMORY,       /* memory ran out */
-  LAM_MISSING_PROGRAM, /* an outside program is not installed */
-  LAM_FAILED           /* an outside library or program failed */
-} lam_status;
-
-/* Where something stands in an input file. Line and column count from 1; 0 means unknown. file may
- * be NULL. */
-typedef struct lam_location {
-  const char *file;
-  int line, column;
-} lam_location;
-
-typedef struct lam_error {
-  lam_location location;
-  const char *key;  /* dotted path, such as parts[0].height; NULL when none applies */
-  const char *text; /* what was given, what is expected */
-  struct lam_error *next;
-} lam_error;
+#include <lamella/error.h>
 
 typedef struct lam_errors {
   lam_arena *arena; /* owns the messages */
   int count;
   lam_error *first, *last;
+  lam_status status; /* of a failure that is not the input's fault (LAM_IO, ...); LAM_OK: none */
 } lam_errors;
+
+/* What the messages amount to: LAM_OK without any, the status when one is set, else LAM_BAD_INPUT. */
+lam_status lam_errors_status(const lam_errors *errors);
 
 /* Adds a message. key may be NULL. The texts are copied into the arena. */
 void lam_error_add(lam_errors *errors, lam_location location, const char *key, const char *format,

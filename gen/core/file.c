@@ -13,7 +13,7 @@ static lam_status fail(lam_errors *errors, const char *path, const char *what, i
   char text[128];
   lam_error_add(errors, (lam_location){.file = path}, NULL, "%s: %s", what,
                 strerror_r(reason, text, sizeof text));
-  return LAM_IO;
+  return errors->status = LAM_IO;
 }
 
 /* Reads to the end; the file may be a pipe, whose size is not known before. */
@@ -92,8 +92,8 @@ lam_status lam_file_write_atomic(const char *path, const void *bytes, size_t cou
     int reason = file < 0 ? errno : write_and_close(file, bytes, count);
     return reason ? fail(errors, path, "cannot be written", reason) : LAM_OK;
   }
-  char *temporary = lam_arena_printf(errors->arena, "%s.%ld.part", path, (long)getpid());
-  unlink(temporary); /* left by a process of the same number that was killed */
+  char *temporary = lam_arena_printf(errors->arena, "%s.%ld.part", path, (long)gettid());
+  unlink(temporary); /* left by a thread of the same number that was killed */
   int file = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) return fail(errors, path, "cannot be written", errno);
   int reason = write_and_close(file, bytes, count);

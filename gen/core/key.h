@@ -145,4 +145,16 @@ typedef struct lam_row {
 /* The row called name, or NULL. */
 const lam_row_head *lam_registry_find(const lam_registry *registry, const char *name);
 
+/* Rows that a program adds to a registry, for its own designs. */
+typedef struct lam_added_rows {
+  const lam_registry *registry; /* that they are added to */
+  int count;
+  const lam_row_head *const *rows;
+} lam_added_rows;
+
+/* The registry with the rows that were added to it, in arena; the registry itself when there are
+ * none. added may be NULL, or of another registry. */
+const lam_registry *lam_registry_with(lam_arena *arena, const lam_registry *registry,
+                                      const lam_added_rows *added);
+
 #endif

@@ -2,15 +2,8 @@
 #ifndef LAM_CORE_VEC3_H
 #define LAM_CORE_VEC3_H
 
+#include <lamella/types.h>
 #include <math.h>
-
-typedef struct lam_vec2 {
-  double x, y;
-} lam_vec2;
-
-typedef struct lam_vec3 {
-  double x, y, z;
-} lam_vec3;
 
 static inline lam_vec3 lam_v3(double x, double y, double z) { return (lam_vec3){x, y, z}; }
 static inline lam_vec3 lam_add(lam_vec3 a, lam_vec3 b) {

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/key.h"
+#include <lamella/design.h>
 
 typedef struct lam_render_keys {
   const char *setting, *view;
@@ -23,39 +24,42 @@ typedef struct lam_texture_keys {
   int motif, layout, cells; /* lam_motif, lam_print_layout (surf/texture.h) */
 } lam_texture_keys;
 
-typedef struct lam_design {
+struct lam_design {
   int language;
   const char *name;   /* letters, digits, - and _ */
   const char *title;  /* the name when the design has none */
   const char *source; /* empty when the design has none */
-  lam_row surface;    /* common: lam_placement_keys (surf/place.h); head is NULL when the design has
+  lam_row
+      surface; /* common: lam_placement_keys (surf/placement.h); head is NULL when the design has
                          none */
-  lam_row net;    /* common: lam_net_common (net/kind.h); head is NULL when the design has none */
-  lam_list parts; /* of lam_row, no common keys */
-  lam_list plots; /* of const char *: measures to be drawn as color maps */
+  lam_row net; /* common: lam_net_common (net/net_kind.h); head is NULL when the design has none */
+  lam_list parts;              /* of lam_row, no common keys */
+  lam_list plots;              /* of const char *: measures to be drawn as color maps */
   bool has_render, has_sheets; /* whether the design gives them; they hold the defaults otherwise */
   bool has_texture;
   lam_texture_keys texture; /* meaningful when has_texture */
   lam_render_keys render;
   lam_sheet_keys sheets;
   const char *path; /* of the file, as given; NULL when parsed from memory without a name */
-} lam_design;
+};
 
 extern const lam_key lam_design_keys[];   /* the top-level table */
 extern const char *const lam_qualities[]; /* of pictures: NULL-terminated */
 
-/* One override of the command line: "net.grid=[40,40]" or "parts[0].height=80 mm". The value is
- * YAML. */
-typedef struct lam_override {
-  const char *text;
-} lam_override;
+/* What a design is parsed from. */
+typedef struct lam_design_text {
+  const char *bytes; /* YAML */
+  size_t count;
+  const char *path; /* for messages; may be NULL */
+  int override_count;
+  const char *const *overrides; /* "net.grid=[40,40]", "parts[0].height=80 mm": the value is YAML */
+  const lam_added_rows *added;  /* rows beside those of the registries; NULL: none */
+} lam_design_text;
 
-/* Parses a design from count bytes of YAML. path is used in messages (may be NULL). Every problem
- * found is added to errors; returns true when there was none. Text and lists are owned by arena.
- * Overrides are applied before validation; their messages have the place {"--set net.grid", 0, 0}
- * instead of a file. */
-bool lam_design_parse(lam_arena *arena, const char *bytes, size_t count, const char *path,
-                      const lam_override *overrides, int override_count, lam_errors *errors,
+/* Parses a design. Every problem found is added to errors; returns true when there was none. Text and
+ * lists are owned by arena. Overrides are applied before validation; their messages have the
+ * location {"--set net.grid", 0, 0} instead of a file. */
+bool lam_design_parse(lam_arena *arena, const lam_design_text *text, lam_errors *errors,
                       lam_design *design);
 
 /* Fills a struct from a key table out of a YAML text: what lam_design_parse does at every level,

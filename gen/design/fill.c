@@ -17,24 +17,6 @@ enum { table_count = 2 };
 static void fill_value(const lam_filler *filler, const lam_key *key, const lam_node *node,
                        const lam_trail *trail, char *params);
 
-/* ---- messages ---- */
-
-static void add_trail(lam_text *text, const lam_trail *trail) {
-  if (!trail) return;
-  add_trail(text, trail->parent);
-  if (!trail->name)
-    lam_text_printf(text, "[%d]", trail->index);
-  else
-    lam_text_printf(text, "%s%s", text->length ? "." : "", trail->name);
-}
-
-void lam_fill_complain(const lam_filler *filler, lam_location location, const lam_trail *trail,
-                       const lam_text *text) {
-  lam_text path = {.arena = filler->arena};
-  add_trail(&path, trail);
-  lam_error_add(filler->errors, location, path.data, "%s", text->data);
-}
-
 /* ---- maps ---- */
 
 static const lam_key *find_key(const lam_key *keys, const char *name) {
@@ -182,12 +164,13 @@ static void fill_map(const lam_filler *filler, const lam_key *key, const lam_nod
 /* The registry row that the map's kind names, or NULL, with a message. */
 static const lam_row_head *find_row(const lam_filler *filler, const lam_key *key,
                                     const lam_node *map, const lam_trail *trail) {
-  const char *const *names = lam_registry_names(filler->arena, key->rows);
+  const lam_registry *rows = lam_registry_with(filler->arena, key->rows, filler->added);
+  const char *const *names = lam_registry_names(filler->arena, rows);
   lam_trail here = {trail, "kind", 0};
   int at = index_of(map, "kind", "kind");
   const lam_node *kind = at < 0 ? NULL : map->items[at];
   bool is_word = kind && kind->type == LAM_NODE_SCALAR;
-  const lam_row_head *head = is_word ? lam_registry_find(key->rows, kind->text) : NULL;
+  const lam_row_head *head = is_word ? lam_registry_find(rows, kind->text) : NULL;
   if (head) return head;
   lam_text text = {.arena = filler->arena};
   if (kind)

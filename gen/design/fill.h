@@ -17,6 +17,7 @@ typedef struct lam_trail {
 typedef struct lam_filler {
   lam_arena *arena;
   lam_errors *errors;
+  const lam_added_rows *added; /* rows beside those of the registries; NULL: none */
 } lam_filler;
 
 /* Fills params from a map (or from the short form of one). Everything wrong is added to the
@@ -36,7 +37,7 @@ void lam_fill_choice(const lam_filler *filler, const lam_key *key, const lam_nod
 void lam_fill_text(const lam_filler *filler, const lam_key *key, const lam_node *node,
                    const lam_trail *trail, void *to);
 
-/* Adds a message about the value at trail: text is used up. */
+/* Adds a message about the value at trail: text is used up (complaint.c, as the next). */
 void lam_fill_complain(const lam_filler *filler, lam_location location, const lam_trail *trail,
                        const lam_text *text);
 /* The text "given <node>; expected " to go on with. */

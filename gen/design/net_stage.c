@@ -1,7 +1,6 @@
 /* The stage that makes the net. */
 #include "core/solid/triangles.h"
-#include "design/pipeline.h"
-#include "fab/workshop.h"
+#include "design/stages.h"
 #include "mesh/coarsen.h"
 #include "mesh/diagonalize.h"
 #include "net/optimize.h"
@@ -14,28 +13,18 @@ enum { surface_grid = 32 }; /* cells of the mesh that stands for a surface witho
 
 /* ---- the initial net ---- */
 
-static bool load_mesh(lam_pipeline *p, const lam_net_common *common, lam_mesh *mesh) {
-  lam_location location = p->design->net.location;
-  if (p->loader && p->loader->mesh)
-    return p->loader->mesh(p->loader->context, p->arena, common->from.file, location, p->errors,
-                           mesh);
-  lam_error_add(p->errors, location, "net.from.file",
-                "%s cannot be read: this caller loads no files", common->from.file);
-  return false;
-}
-
-static bool load_net(lam_pipeline *p, const lam_net_common *common, lam_mesh *mesh) {
-  lam_location location = p->design->net.location;
-  if (p->loader && p->loader->net)
-    return p->loader->net(p->loader->context, p->arena, common->from.design, location, p->errors,
-                          mesh);
-  lam_error_add(p->errors, location, "net.from.design",
-                "%s cannot be built: this caller loads no designs", common->from.design);
+/* The mesh that was read for net.from. */
+static bool read_mesh(lam_build *p, const char *key, const char *name, lam_mesh *mesh) {
+  if (p->inputs->net) {
+    *mesh = *p->inputs->net;
+    return true;
+  }
+  lam_error_add(p->errors, p->design->net.location, key, "%s was not read by this caller", name);
   return false;
 }
 
 /* The lines of the surface that the net asks for, by formula or traced. */
-static bool start_net(lam_pipeline *p, const lam_net_kind *kind, const lam_net_common *common,
+static bool start_net(lam_build *p, const lam_net_kind *kind, const lam_net_common *common,
                       lam_mesh *mesh) {
   const lam_net_source *from = &common->from;
   const lam_placement_keys *placing = p->design->surface.common;
@@ -48,7 +37,7 @@ static bool start_net(lam_pipeline *p, const lam_net_kind *kind, const lam_net_c
   if (formula && !from->trace) {
     if (!from->at_given && from->spacing == 0)
       return lam_net_start(p->arena, &p->surface, chart, common->grid, common->hole, placing,
-                           location, p->errors, mesh, &p->placed);
+                           location, p->errors, mesh, &p->placement);
     lam_error_add(p->errors, p->design->net.location,
                   from->at_given ? "net.from.at" : "net.from.spacing",
                   "given, but %s has a formula for its %s lines; expected trace: yes beside it, or "
@@ -59,14 +48,15 @@ static bool start_net(lam_pipeline *p, const lam_net_kind *kind, const lam_net_c
   }
   lam_trace_options options = {from->at_given ? from->at : NULL, from->spacing, from->base};
   return lam_net_start_traced(p->arena, &p->surface, chart, common->grid, common->hole, &options,
-                              placing, p->design->net.location, p->errors, mesh, &p->placed);
+                              placing, p->design->net.location, p->errors, mesh, &p->placement);
 }
 
-static bool initial_mesh(lam_pipeline *p, const lam_net_kind *kind, const lam_net_common *common,
+static bool initial_mesh(lam_build *p, const lam_net_kind *kind, const lam_net_common *common,
                          lam_mesh *mesh) {
   const lam_design *design = p->design;
-  if (common && common->from.file) return load_mesh(p, common, mesh);
-  if (common && common->from.design) return load_net(p, common, mesh);
+  if (common && common->from.file) return read_mesh(p, "net.from.file", common->from.file, mesh);
+  if (common && common->from.design)
+    return read_mesh(p, "net.from.design", common->from.design, mesh);
   if (kind && kind->start) {
     if (design->surface.head)
       lam_error_add(p->errors, design->surface.location, "surface",
@@ -84,20 +74,20 @@ static bool initial_mesh(lam_pipeline *p, const lam_net_kind *kind, const lam_ne
   static const int coarse[2] = {surface_grid, surface_grid};
   if (common) return start_net(p, kind, common, mesh);
   return lam_net_start(p->arena, &p->surface, LAM_CHART_NATURAL, coarse, 0, placing,
-                       design->surface.location, p->errors, mesh, &p->placed);
+                       design->surface.location, p->errors, mesh, &p->placement);
 }
 
-static bool build_net(lam_pipeline *p, const lam_mesh *mesh, lam_location location) {
+static bool build_net(lam_build *p, const lam_mesh *mesh, lam_location location) {
   return lam_net_build(p->arena, mesh, location, p->errors, p->net);
 }
 
-static bool refuse(lam_pipeline *p, lam_location location, const char *key, const char *why) {
+static bool refuse(lam_build *p, lam_location location, const char *key, const char *why) {
   lam_error_add(p->errors, location, key, "the net cannot be changed so: %s", why);
   return false;
 }
 
 /* Diagonals, then every other line left out, then subdivided. */
-static bool refine(lam_pipeline *p, lam_mesh *mesh, const lam_net_common *common,
+static bool refine(lam_build *p, lam_mesh *mesh, const lam_net_common *common,
                    lam_location location) {
   if (!build_net(p, mesh, location)) return false;
   if (!common) return true;
@@ -120,17 +110,11 @@ static bool refine(lam_pipeline *p, lam_mesh *mesh, const lam_net_common *common
   return true;
 }
 
-static bool solve_net(lam_pipeline *p, const lam_net_kind *kind, const lam_net_common *common) {
+static bool solve_net(lam_build *p, const lam_net_kind *kind, const lam_net_common *common) {
   const lam_design *design = p->design;
-  lam_stage *stage = lam_pipeline_stage(p, "net");
+  lam_stage *stage = lam_build_stage(p, "net");
   lam_net_job job = {kind, design->net.params, common, NULL, design->net.location, p->progress};
-  if (common->reference_given && common->reference.file) {
-    lam_trimesh *reference = LAM_NEW(p->arena, lam_trimesh, 1);
-    if (!p->loader || !p->loader->triangles(p->loader->context, p->arena, common->reference.file,
-                                            design->net.location, p->errors, reference))
-      return false;
-    job.reference = reference;
-  }
+  if (common->reference_given) job.reference = p->inputs->reference;
   lam_net_result result;
   if (!lam_net_optimize(p->arena, &job, p->net, p->errors, &result)) return false;
   stage->name = lam_arena_printf(p->arena, "net: %s", kind->head.name);
@@ -152,12 +136,12 @@ static bool solve_net(lam_pipeline *p, const lam_net_kind *kind, const lam_net_c
     lam_stage_note(p->arena, stage, "%ld irregular vertices left out", result.skipped);
   if (!result.converged && result.solution.worst)
     lam_stage_note(p->arena, stage, "largest residual: %s", result.solution.worst);
-  lam_pipeline_stage_end(p, stage);
+  lam_build_stage_end(p, stage);
   return true;
 }
 
 /* The frames stand where the result does. */
-static void lift_frames(lam_pipeline *p, double lift) {
+static void lift_frames(lam_build *p, double lift) {
   lam_vec3 **lifted = LAM_NEW(p->arena, lam_vec3 *, p->model->frame_count);
   for (int k = 0; k < p->model->frame_count; k++) {
     lifted[k] = LAM_NEW(p->arena, lam_vec3, p->net->mesh.vertex_count);
@@ -167,7 +151,7 @@ static void lift_frames(lam_pipeline *p, double lift) {
   p->model->frames = (const lam_vec3 *const *)lifted;
 }
 
-bool lam_pipeline_net(lam_pipeline *p) {
+bool lam_build_net(lam_build *p) {
   const lam_design *design = p->design;
   const lam_net_kind *kind = (const lam_net_kind *)design->net.head;
   const lam_net_common *common = kind ? design->net.common : NULL;
@@ -189,7 +173,7 @@ bool lam_pipeline_net(lam_pipeline *p) {
                 common->reference_given;
     if (placing && placing->ground && !held) {
       double lift = lam_mesh_ground(&p->net->mesh);
-      p->placed.lift += lift;
+      p->placement.lift += lift;
       lift_frames(p, lift);
     }
   }

@@ -8,14 +8,16 @@
 
 /* The tree of a design with its overrides; NULL, with a message, when there is nothing to fill
  * from. */
-static lam_node *read_tree(lam_arena *arena, const char *bytes, size_t count, lam_location origin,
-                           const lam_override *overrides, int override_count, lam_errors *errors) {
+static lam_node *read_tree(lam_arena *arena, const lam_design_text *text, lam_errors *errors) {
+  lam_location origin = {text->path, 0, 0};
   int before = errors->count;
-  lam_node *root = lam_tree_read(arena, bytes, count, origin, false, errors);
+  lam_node *root = lam_tree_read(arena, text->bytes, text->count, origin, false, errors);
   if (!root && errors->count > before) return NULL;
-  for (int i = 0; i < override_count; i++)
-    lam_tree_override(arena, &root, overrides[i].text, errors);
+
+  for (int i = 0; i < text->override_count; i++)
+    lam_tree_override(arena, &root, text->overrides[i], errors);
   if (root && !lam_node_is_empty(root)) return root;
+
   origin.line = origin.column = 1;
   lam_error_add(errors, origin, NULL,
                 "the file is empty; expected a map that begins with 'lamella: 1'");
@@ -24,9 +26,10 @@ static lam_node *read_tree(lam_arena *arena, const char *bytes, size_t count, la
 
 bool lam_keys_parse(lam_arena *arena, const lam_key *keys, const char *bytes, size_t count,
                     const char *path, lam_errors *errors, void *params) {
+  lam_design_text text = {.bytes = bytes, .count = count, .path = path};
   int before = errors->count;
-  lam_node *root = read_tree(arena, bytes, count, (lam_location){path, 0, 0}, NULL, 0, errors);
-  lam_filler filler = {arena, errors};
+  lam_node *root = read_tree(arena, &text, errors);
+  lam_filler filler = {.arena = arena, .errors = errors};
   if (root) lam_fill_keys(&filler, keys, root, NULL, params);
   return errors->count == before;
 }
@@ -83,7 +86,7 @@ static bool has_message(const lam_errors *errors, const char *key) {
   return false;
 }
 
-static lam_location place_of_setting(const lam_node *root) {
+static lam_location location_of_setting(const lam_node *root) {
   const lam_node *render = find(root, "render"), *setting = find(render, "setting");
   return setting ? setting->location : render ? render->location : root->location;
 }
@@ -101,26 +104,31 @@ static void check_root(const lam_filler *filler, const lam_node *root, const lam
     lam_placement_keys_check(design->surface.common, design->surface.location, filler->errors);
 }
 
-bool lam_design_parse(lam_arena *arena, const char *bytes, size_t count, const char *path,
-                      const lam_override *overrides, int override_count, lam_errors *errors,
+bool lam_design_parse(lam_arena *arena, const lam_design_text *text, lam_errors *errors,
                       lam_design *design) {
   int before = errors->count;
-  *design = (lam_design){.path = lam_arena_copy(arena, path)};
-  lam_node *root = read_tree(arena, bytes, count, (lam_location){design->path, 0, 0}, overrides,
-                             override_count, errors);
+  *design = (lam_design){.path = lam_arena_copy(arena, text->path)};
+  lam_design_text own = *text;
+  own.path = design->path; /* messages and nodes outlive the caller's text */
+  lam_node *root = read_tree(arena, &own, errors);
   if (!root) return false;
-  lam_filler filler = {arena, errors};
+
+  lam_filler filler = {arena, errors, text->added};
   if (root->type != LAM_NODE_MAP) {
-    lam_text text = lam_fill_given(&filler, root);
-    lam_text_add(&text, "a map that begins with 'lamella: 1'");
-    lam_fill_complain(&filler, root->location, NULL, &text);
+    lam_text words = lam_fill_given(&filler, root);
+    lam_text_add(&words, "a map that begins with 'lamella: 1'");
+    lam_fill_complain(&filler, root->location, NULL, &words);
     return false;
   }
+
+  /* The tables first, then what they cannot say. */
   lam_fill_keys(&filler, lam_design_keys, root, NULL, design);
   check_root(&filler, root, design);
+
+  /* Values that follow from others. */
   design->language = 1;
   design->render.quality = lam_qualities[design->render.quality_index];
-  design->render.location = place_of_setting(root);
+  design->render.location = location_of_setting(root);
   if (!design->title) design->title = design->name;
   if (!design->source) design->source = "";
   return errors->count == before;

@@ -10,14 +10,6 @@
 #include <string.h>
 #include <strings.h>
 
-lam_text lam_fill_given(const lam_filler *filler, const lam_node *node) {
-  lam_text text = {.arena = filler->arena};
-  lam_text_add(&text, "given ");
-  lam_describe_node(&text, node);
-  lam_text_add(&text, "; expected ");
-  return text;
-}
-
 static void complain_type(const lam_filler *filler, const lam_key *key, const lam_node *node,
                           const lam_trail *trail) {
   lam_text text = lam_fill_given(filler, node);

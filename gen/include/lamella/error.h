@@ -1,0 +1,39 @@
+/* Statuses and messages. Every function that can fail returns a status; what a person should read
+ * about it stands in the session's messages. */
+#ifndef LAMELLA_ERROR_H
+#define LAMELLA_ERROR_H
+
+#include <lamella/api.h>
+
+LAM_BEGIN_DECLS
+
+typedef enum lam_status {
+  LAM_OK = 0,
+  LAM_BAD_INPUT,       /* the input is wrong: see the messages */
+  LAM_IO,              /* a file could not be read or written */
+  LAM_NO_MEMORY,       /* memory ran out; the session stays usable */
+  LAM_MISSING_PROGRAM, /* an outside program is not installed */
+  LAM_FAILED           /* an outside library or program failed */
+} lam_status;
+
+/* Where something stands in an input file. Line and column count from 1; 0 means unknown. file may
+ * be NULL. */
+typedef struct lam_location {
+  const char *file;
+  int line, column;
+} lam_location;
+
+/* One message: a line for a person. */
+typedef struct lam_error {
+  lam_location location;
+  const char *key;  /* dotted path in a design, such as parts[0].height; NULL when none applies */
+  const char *text; /* what was given, what is expected */
+  struct lam_error *next; /* the next message, or NULL */
+} lam_error;
+
+/* A word for a status: "bad input". A static text. */
+LAM_API const char *lam_status_text(lam_status status);
+
+LAM_END_DECLS
+
+#endif
