@@ -2,7 +2,7 @@
 config ?= release
 prefix ?= /usr/local
 
-VERSION := 0.1.0
+VERSION := $(shell sed -n 's/^\#define LAM_VERSION "\(.*\)"/\1/p' gen/include/lamella/api.h)
 ifeq ($(config),release)
   out := build
   opt := -O2 -g -fno-omit-frame-pointer
@@ -17,11 +17,11 @@ else
 endif
 
 warn     := -Wall -Wextra -Werror -Wshadow
-includes := -Igen -I. -isystem /usr/include/suitesparse
+includes := -Igen -Igen/include -I. -isystem /usr/include/suitesparse
 # no contraction of a*b+c: the same result on every processor
-CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -ffp-contract=off $(opt) $(warn) $(includes) -DLAM_VERSION='"$(VERSION)"' -MMD -MP $(CFLAGS)
+CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off $(opt) $(warn) $(includes) -MMD -MP $(CFLAGS)
 # CGAL's exact predicates switch the rounding mode
-CXXFLAGS_ = -std=c++17 -fPIC -O2 -frounding-math $(warn) $(includes) -MMD -MP $(CXXFLAGS)
+CXXFLAGS_ = -std=c++17 -fPIC -fvisibility=hidden -fvisibility-inlines-hidden -O2 -frounding-math $(warn) $(includes) -MMD -MP $(CXXFLAGS)
 libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lgomp -lstdc++ -lm
 
 # Debian packages: to build; for pictures and OpenSCAD; for the tests
@@ -71,9 +71,10 @@ setup-pics:  ; $(call install_missing,$(packages_build) $(packages_pics))
 # ---- program and library ----
 $(out)/liblamella.a: $(lib_obj)
 	@rm -f $@.part && ar rcsD $@.part $^ && mv $@.part $@
-$(out)/liblamella.so: $(lib_obj)
+$(out)/liblamella.so: $(lib_obj) gen/lamella.map
 	@echo "  link $@"
-	@$(CXX) -shared $(opt) -Wl,-soname,liblamella.so.0 -o $@.part $^ $(libs) && mv $@.part $@
+	@$(CXX) -shared $(opt) -Wl,-soname,liblamella.so.0 -Wl,--version-script=gen/lamella.map \
+	  -o $@.part $(filter %.o,$^) $(libs) && mv $@.part $@
 $(out)/lamella: $(cli_obj) $(out)/liblamella.a
 	@echo "  link $@"
 	@$(CXX) $(opt) -o $@.part $(cli_obj) $(out)/liblamella.a $(libs) && mv $@.part $@
@@ -145,13 +146,15 @@ format:
 	clang-format -i $$(git ls-files '*.c' '*.h' '*.cc')
 
 install: all
-	install -d $(DESTDIR)$(prefix)/bin $(DESTDIR)$(prefix)/lib $(DESTDIR)$(prefix)/include/lamella \
-	  $(DESTDIR)$(prefix)/share/man/man1 $(DESTDIR)$(prefix)/share/lamella
+	install -d $(DESTDIR)$(prefix)/bin $(DESTDIR)$(prefix)/lib/pkgconfig \
+	  $(DESTDIR)$(prefix)/include/lamella $(DESTDIR)$(prefix)/share/man/man1 $(DESTDIR)$(prefix)/share/lamella
 	install $(out)/lamella $(DESTDIR)$(prefix)/bin/lamella
 	install -m 644 $(out)/liblamella.a $(DESTDIR)$(prefix)/lib/
 	install $(out)/liblamella.so $(DESTDIR)$(prefix)/lib/liblamella.so.0
 	ln -sf liblamella.so.0 $(DESTDIR)$(prefix)/lib/liblamella.so
-	cd gen && find . -name '*.h' -exec install -m 644 -D {} $(DESTDIR)$(prefix)/include/lamella/{} \;
+	install -m 644 gen/include/lamella/*.h $(DESTDIR)$(prefix)/include/lamella/
+	sed 's|@prefix@|$(prefix)|; s|@version@|$(VERSION)|; s|@libs@|$(libs)|' gen/lamella.pc.in \
+	  >$(DESTDIR)$(prefix)/lib/pkgconfig/lamella.pc
 	install -m 644 gen/cli/lamella.1 $(DESTDIR)$(prefix)/share/man/man1/
 	cp -R templates $(DESTDIR)$(prefix)/share/lamella/
 clean:

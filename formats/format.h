@@ -1,4 +1,4 @@
-/* File formats: one writer or reader per file; the list is formats/registry.c. A writer turns the
+/* File formats: one writer or reader per file; the list is formats/list/formats.c. A writer turns the
  * model into bytes; it opens no file. A format may make several files: they are enumerated, named
  * and written one by one. */
 #ifndef LAM_FORMATS_FORMAT_H
@@ -38,7 +38,7 @@ typedef struct lam_format {
   /* NULL-terminated list of template files (relative to templates/) that must stand beside the
    * output; may be NULL. They depend on the model (a scene needs only its own setting). */
   const char *const *(*support)(lam_arena *arena, const lam_model *model);
-  /* Reads a quad mesh / a triangle mesh from bytes. place.file names the file; errors name its
+  /* Reads a quad mesh / a triangle mesh from bytes. location.file names the file; errors name its
    * line. NULL: not read. */
   bool (*read_mesh)(lam_arena *arena, const char *bytes, size_t count, lam_location location,
                     lam_errors *errors, lam_mesh *mesh);
@@ -51,11 +51,10 @@ typedef struct lam_format {
    * NULL: not read. */
   bool (*read_curves)(lam_arena *arena, const char *bytes, size_t count, lam_location location,
                       lam_errors *errors, lam_curve_list *curves);
+  /* Reads points as they are written, without a unit. NULL: not read; points are then the vertices
+   * of what read_triangles gives, if anything. */
+  bool (*read_points)(lam_arena *arena, const char *bytes, size_t count, lam_location location,
+                      lam_errors *errors, int *point_count, const lam_vec3 **points);
 } lam_format;
-
-extern const lam_format *const lam_formats[];
-extern const int lam_format_count;
-/* The format that reads files with this ending (case-insensitive), or NULL. */
-const lam_format *lam_format_for(const char *path);
 
 #endif

@@ -1,3 +1,5 @@
+/* Words, lines and numbers of text, for the readers of OBJ, STL and points (formats/mesh), IGES
+ * (formats/iges) and STEP (formats/step). */
 #include "formats/scan.h"
 
 #include <stdlib.h>
@@ -7,6 +9,7 @@ enum { longest_number = 63, most_errors = 20, longest_shown = 40 };
 
 static void free_locale(void *handle) { freelocale((locale_t)handle); }
 
+/* A locale of its own, because a user's may have decimal commas; it is closed with the arena. */
 lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_location location,
                         lam_errors *errors) {
   lam_scan scan = {.at = bytes, .end = bytes + count, .location = location, .errors = errors};
@@ -23,9 +26,11 @@ static bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
+/* Blanks do not include the newline: a word never reaches into the next line. */
 bool lam_scan_word(lam_scan *scan, lam_word *word) {
   while (scan->at < scan->end && is_blank(*scan->at)) scan->at++;
   if (scan->at == scan->end || *scan->at == '\n' || *scan->at == '#') return false;
+
   word->text = scan->at;
   while (scan->at < scan->end && *scan->at != '\n' && *scan->at != '#' && !is_blank(*scan->at))
     scan->at++;
@@ -33,11 +38,13 @@ bool lam_scan_word(lam_scan *scan, lam_word *word) {
   return true;
 }
 
+/* The line number stays when the text ends, so that a message about what is missing names the
+ * last line. */
 bool lam_scan_line(lam_scan *scan) {
   const char *newline =
       scan->at < scan->end ? memchr(scan->at, '\n', (size_t)(scan->end - scan->at)) : NULL;
   scan->at = newline ? newline + 1 : scan->end;
-  if (scan->at == scan->end) return false; /* what is missing is missing from the last line */
+  if (scan->at == scan->end) return false;
   scan->location.line++;
   return true;
 }
@@ -47,7 +54,13 @@ bool lam_word_is(lam_word word, const char *text) {
          strncasecmp(word.text, text, (size_t)word.length) == 0;
 }
 
+int lam_word_shown(lam_word word) {
+  return word.length < longest_shown ? word.length : longest_shown;
+}
+
+/* Longer words than any number are refused before they are copied. */
 bool lam_scan_number(lam_scan *scan, lam_word word, const char *what, double *number) {
+  /* strtod alone would take "inf", "nan" and hexadecimal numbers, and needs a terminated text. */
   char text[longest_number + 1], *end = text;
   if (word.length <= longest_number) {
     memcpy(text, word.text, (size_t)word.length);
@@ -57,12 +70,13 @@ bool lam_scan_number(lam_scan *scan, lam_word word, const char *what, double *nu
       if (end == text + word.length && isfinite(*number)) return true;
     }
   }
-  int shown = word.length < longest_shown ? word.length : longest_shown;
-  lam_error_add(scan->errors, scan->location, NULL, "%s: \"%.*s\" is not a number", what, shown,
-                word.text);
+
+  lam_error_add(scan->errors, scan->location, NULL, "%s: \"%.*s\" is not a number", what,
+                lam_word_shown(word), word.text);
   return false;
 }
 
+/* Says how many of the three numbers were given. */
 bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point) {
   double xyz[3];
   for (int k = 0; k < 3; k++) {
@@ -74,6 +88,7 @@ bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point) {
     }
     if (!lam_scan_number(scan, word, what, &xyz[k])) return false;
   }
+
   *point = lam_v3(xyz[0], xyz[1], xyz[2]);
   return true;
 }

@@ -1,5 +1,7 @@
+/* Escaped text of XML, for the SVG writers in formats/sheets and formats/plot. */
 #include "formats/xml.h"
 
+/* A > needs no entity, in text or in an attribute. */
 void lam_xml_escaped(lam_text *out, const char *string) {
   for (; *string; string++) {
     const char *entity = *string == '&'   ? "&amp;"

@@ -1,10 +1,12 @@
-/* Text between tags or in an attribute of XML. */
+/* Text between tags or in an attribute of XML; for the writers of SVG (formats/sheets,
+ * formats/plot). */
 #ifndef LAM_FORMATS_XML_H
 #define LAM_FORMATS_XML_H
 
 #include "core/text.h"
 
-/* Markup characters become entities, control characters are dropped. */
+/* Adds string with &, < and " as entities; control characters are dropped, everything else (UTF-8
+ * too) stays as it is. Fit for attributes in double quotes. */
 void lam_xml_escaped(lam_text *out, const char *string);
 
 #endif

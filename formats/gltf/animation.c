@@ -1,11 +1,11 @@
-/* The way of a net from the start to the result as a glTF animation: faces and lines are morphed
- * from state to state, there and back, so that viewers can repeat it. Meters, y up. */
+/* The way of a net from the start to the result as a glTF animation (NAME-animation.glb; listed
+ * in formats/list/formats.c): faces and lines are morphed from state to state, there and back, so
+ * that viewers can repeat it. Meters, y up. */
 #include "formats/format.h"
 #include "formats/gltf/gltf_scene.h"
 
 #include <math.h>
 
-static const double y_up[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
 static const double length_of_a_run = 4; /* seconds, one way */
 
 static int count(const lam_model *model) { return model->net && model->frame_count > 1 ? 1 : 0; }
@@ -15,18 +15,18 @@ static void path(const lam_model *model, int i, lam_text *out) {
   lam_text_printf(out, "%s-animation.glb", model->name);
 }
 
-/* Values as floats; with a base, displacements from it. */
+/* n vectors as floats, three each; with a base, as displacements from it. */
 static const float *floats(lam_arena *arena, const lam_vec3 *values, const lam_vec3 *base, int n) {
   float *out = LAM_NEW(arena, float, 3 * n);
   for (int v = 0; v < n; v++) {
     lam_vec3 x = base ? lam_sub(values[v], base[v]) : values[v];
-    out[3 * v] = (float)x.x + 0.f, out[3 * v + 1] = (float)x.y + 0.f,
-            out[3 * v + 2] = (float)x.z + 0.f;
+    lam_gltf_vector(out + 3 * v, x);
   }
   return out;
 }
 
-/* Unit normals: the sum of the diagonals' cross products over the faces at a vertex. */
+/* Unit normals of the vertices at positions x: the sum of the cross products of the diagonals of
+ * the faces around each, or (0, 0, 1) where that is zero. */
 static lam_vec3 *normals_of(lam_arena *arena, const lam_mesh *net, const lam_vec3 *x) {
   lam_vec3 *normals = LAM_NEW(arena, lam_vec3, net->vertex_count);
   for (int f = 0; f < net->face_count; f++) {
@@ -34,6 +34,7 @@ static lam_vec3 *normals_of(lam_arena *arena, const lam_mesh *net, const lam_vec
     lam_vec3 n = lam_cross(lam_sub(x[c[2]], x[c[0]]), lam_sub(x[c[3]], x[c[1]]));
     for (int k = 0; k < 4; k++) normals[c[k]] = lam_add(normals[c[k]], n);
   }
+
   for (int v = 0; v < net->vertex_count; v++) {
     normals[v] = lam_unit(normals[v]);
     if (!(lam_length(normals[v]) > 0)) normals[v] = lam_v3(0, 0, 1);
@@ -41,6 +42,7 @@ static lam_vec3 *normals_of(lam_arena *arena, const lam_mesh *net, const lam_vec
   return normals;
 }
 
+/* Morph targets: the states from the second on as displacements from the first, n vectors each. */
 static const float *const *targets(lam_arena *arena, const lam_vec3 *const *states, int count_of,
                                    int n) {
   const float **out = LAM_NEW(arena, const float *, count_of);
@@ -48,16 +50,19 @@ static const float *const *targets(lam_arena *arena, const lam_vec3 *const *stat
   return out;
 }
 
+/* The faces as triangles, two per quad, in the first state; the others are its morph targets. */
 static lam_gltf_mesh faces(lam_arena *arena, const lam_model *model) {
   const lam_mesh *net = model->net;
-  int n = net->vertex_count, states = model->frame_count,
-      *indices = LAM_NEW(arena, int, 6 * net->face_count);
+  int n = net->vertex_count, states = model->frame_count;
   const lam_vec3 **normals = LAM_NEW(arena, const lam_vec3 *, states);
   for (int k = 0; k < states; k++) normals[k] = normals_of(arena, net, model->frames[k]);
+
+  int *indices = LAM_NEW(arena, int, 6 * net->face_count);
   for (int f = 0; f < net->face_count; f++) {
     static const int corner[6] = {0, 1, 2, 0, 2, 3};
     for (int k = 0; k < 6; k++) indices[6 * f + k] = net->faces[f][corner[k]];
   }
+
   return (lam_gltf_mesh){.name = "faces",
                          .material = 0,
                          .vertex_count = n,
@@ -70,37 +75,33 @@ static lam_gltf_mesh faces(lam_arena *arena, const lam_model *model) {
                          .normal_targets = targets(arena, normals, states, n)};
 }
 
+/* The polylines as lines, which share the vertices and morph targets of the surface. */
 static lam_gltf_mesh lines(lam_arena *arena, const lam_model *model, const lam_gltf_mesh *surface) {
-  int edges = 0, at = 0;
-  for (int l = 0; l < model->polyline_count; l++)
-    edges += model->polylines[l].count - (model->polylines[l].closed ? 0 : 1);
-  int *indices = LAM_NEW(arena, int, 2 * edges);
-  for (int l = 0; l < model->polyline_count; l++) {
-    const lam_polyline *line = &model->polylines[l];
-    for (int k = 0; k < line->count - (line->closed ? 0 : 1); k++) {
-      indices[at++] = line->vertices[k];
-      indices[at++] = line->vertices[(k + 1) % line->count];
-    }
-  }
+  int count, *indices = lam_gltf_lines(arena, model, &count);
   return (lam_gltf_mesh){.name = "lines",
                          .material = 1,
                          .vertex_count = surface->vertex_count,
                          .positions = surface->positions,
-                         .index_count = at,
+                         .index_count = count,
                          .indices = indices,
                          .target_count = surface->target_count,
                          .position_targets = surface->position_targets};
 }
 
+/* Faces and lines below one root; without lines their material, mesh and node, the last ones, are
+ * left out. */
 static lam_status write(const lam_model *model, int i, lam_text *out) {
   (void)i;
   static const lam_gltf_material materials[2] = {{"faces", {.75, .75, .72}, 0, .8, true},
                                                  {"lines", {.1, .1, .1}, 0, 1, false}};
   lam_gltf_mesh meshes[2] = {faces(out->arena, model)};
   meshes[1] = lines(out->arena, model, &meshes[0]);
-  lam_gltf_node nodes[3] = {{.name = model->name, .parent = -1, .mesh = -1, .matrix = y_up},
-                            {.name = "faces", .parent = 0, .mesh = 0},
-                            {.name = "lines", .parent = 0, .mesh = 1}};
+
+  lam_gltf_node nodes[3] = {
+      {.name = model->name, .parent = -1, .mesh = -1, .matrix = lam_gltf_y_up},
+      {.name = "faces", .parent = 0, .mesh = 0},
+      {.name = "lines", .parent = 0, .mesh = 1}};
+
   bool has_lines = meshes[1].index_count > 0;
   lam_gltf_scene scene = {.name = model->title ? model->title : model->name,
                           .material_count = 1 + has_lines,

@@ -1,5 +1,6 @@
-/* glTF binaries through tinygltf, the only C++ behind formats/gltf.c. Everything is plain constant
- * data; nothing is kept. */
+/* glTF binaries through tinygltf: the boundary to the only C++ of formats/gltf, called by
+ * gltf_scene.c. A scene is plain constant data that the caller owns; nothing of it is changed or
+ * kept. */
 #ifndef LAM_FORMATS_GLTF_GLTF_SHIM_H
 #define LAM_FORMATS_GLTF_GLTF_SHIM_H
 
@@ -25,18 +26,18 @@ typedef struct lam_gltf_mesh {
   const float *positions; /* 3 per vertex */
   const float *normals;   /* 3 per vertex, unit; or NULL */
   const float *colors;    /* 3 per vertex, linear RGB; or NULL */
-  const float *places; /* 2 per vertex, on the scene's picture from its upper left corner; NULL: no
-                          texture */
+  /* 2 per vertex, 0 to 1 from the upper left corner of the scene's picture; NULL: no texture. */
+  const float *texture;
   int index_count;
-  const int *indices;
+  const int *indices; /* index_count, of vertices: three per triangle, two per line */
   /* Morph targets: displacements of positions and, with normals, of normals; 3 per vertex. May be
    * none. */
   int target_count;
   const float *const *position_targets, *const *normal_targets;
 } lam_gltf_mesh;
 
-/* Every node whose mesh has morph targets runs through them: the mesh itself at 0, target k at (k +
- * 1) seconds_per_state, changing evenly in between, then back to the beginning. */
+/* Every node whose mesh has morph targets runs through them: the mesh itself at time 0, target k
+ * (from 0) at (k + 1) seconds_per_state, changing evenly in between, then back to the beginning. */
 typedef struct lam_gltf_animation {
   const char *name; /* NULL: no animation */
   double seconds_per_state;
@@ -64,13 +65,14 @@ typedef struct lam_gltf_scene {
   const lam_gltf_mesh *meshes;
   const lam_gltf_node *nodes;
   lam_gltf_animation animation;
-  const unsigned char
-      *picture; /* a PNG file, the texture of materials of meshes with places; NULL: none */
-  size_t picture_size;
+  /* A PNG file, the texture of the materials of meshes with texture coordinates; NULL: none. */
+  const unsigned char *picture;
+  size_t picture_size; /* bytes */
 } lam_gltf_scene;
 
-/* The bytes of a .glb file: *bytes is freed with free(). LAM_OK, LAM_NO_MEMORY or LAM_FAILED (then
- * *bytes is NULL). The same scene gives the same bytes. */
+/* The bytes of a .glb file: *bytes, *count of them, to be freed with free(). LAM_OK,
+ * LAM_NO_MEMORY or LAM_FAILED (then *bytes is NULL). The same scene gives the same bytes. No
+ * exception leaves it. */
 lam_status lam_gltf_encode(const lam_gltf_scene *scene, char **bytes, size_t *count);
 
 #ifdef __cplusplus

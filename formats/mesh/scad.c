@@ -1,16 +1,18 @@
-/* OpenSCAD. Two files: NAME.scad is short and made for people: the literals of the Customizer, and
- * what the templates make of the data; NAME_data.scad has the numbers. Parts with records are built
- * by the template of their kind, the others are solids placed by frames. Millimeters; faces
- * clockwise seen from outside.
+/* OpenSCAD (listed in formats/list/formats.c). Two files: NAME.scad is short and made for people:
+ * the literals of the Customizer, and what the templates make of the data; NAME_data.scad has the
+ * numbers. Parts with records are built by the template of their kind, the others are solids
+ * placed by frames. Millimeters; faces clockwise seen from outside.
  *
  * A template X.scad gives X_solid(records, settings...) and X_outlines(records, names,
  * settings...): see templates/scad/lamella.scad. A new template needs nothing here. */
 #include "core/solid/triangles.h"
 #include "formats/format.h"
+#include "formats/identifier.h"
 
 #include <string.h>
 
-/* The library, and the template of every kind of part that has records. */
+/* The template files that must stand beside the output: the library, and the template of every
+ * kind of part that has records. */
 static const char *const *scad_support(lam_arena *arena, const lam_model *model) {
   const char **files = LAM_NEW(arena, const char *, model->record_kind_count + 2);
   files[0] = "scad/parts.scad";
@@ -34,14 +36,6 @@ static int record_kind(const lam_model *model, const lam_part *part) {
   return -1;
 }
 
-/* A name as an identifier. */
-static void add_identifier(lam_text *out, const char *name) {
-  for (const char *c = name; *c; c++) {
-    bool plain = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
-    lam_text_bytes(out, plain ? c : "_", 1);
-  }
-}
-
 static const char *base_name(const char *path) {
   const char *slash = strrchr(path, '/');
   return slash ? slash + 1 : path;
@@ -54,14 +48,14 @@ static void add_function(lam_text *out, const lam_record_kind *kind, const char 
   lam_text_printf(out, "_%s(", function);
 }
 
-/* The variable of a setting: its name, or with the kind in front when an earlier kind has a setting
- * of that name. */
+/* The variable of a setting: its name, or with the kind in front when an earlier kind has a
+ * setting of that name. kind: its number among the record kinds. */
 static void add_variable(lam_text *out, const lam_model *model, int kind,
                          const lam_setting *setting) {
   for (int k = 0; k < kind; k++)
     for (int i = 0; i < model->record_kinds[k].setting_count; i++)
       if (!strcmp(model->record_kinds[k].settings[i].name, setting->name)) {
-        add_identifier(out, model->record_kinds[kind].kind);
+        lam_identifier_add(out, model->record_kinds[kind].kind);
         lam_text_add(out, "_");
         lam_text_add(out, setting->name);
         return;
@@ -69,7 +63,7 @@ static void add_variable(lam_text *out, const lam_model *model, int kind,
   lam_text_add(out, setting->name);
 }
 
-/* A comment of one line. */
+/* A comment of one line: line breaks in the text become blanks. unit is added at its end. */
 static void add_comment(lam_text *out, const char *text, const char *unit) {
   lam_text_add(out, "// ");
   for (; *text; text++) lam_text_bytes(out, (unsigned char)*text < ' ' ? " " : text, 1);
@@ -79,7 +73,8 @@ static void add_comment(lam_text *out, const char *text, const char *unit) {
 
 /* ---- the main file ---- */
 
-/* A quarter of the model's largest extent, in whole centimeters, mm. */
+/* How far families are raised when exploded: a quarter of the largest extent of a part, rounded
+ * up to centimeters; in millimeters. */
 static int raise_of(const lam_model *model) {
   double most = 0;
   for (int i = 0; i < model->part_count; i++) {
@@ -92,10 +87,11 @@ static int raise_of(const lam_model *model) {
   return 10 * (1 + (int)(25 * most));
 }
 
+/* The first section of the Customizer: what is shown, and which part when it is only one. */
 static void add_show(lam_text *out, const lam_model *model) {
   lam_text_add(out, "/* [Show] */\n// What to show\nshow = \"all parts\"; // [all parts, one part, "
-                    "family A, family B, "
-                    "nodes, exploded, flat outlines, engraving, one outline, one engraving]\n"
+                    "family A, family B, nodes, exploded, flat outlines, engraving, one outline, "
+                    "one engraving]\n"
                     "// The one part that is shown when one is asked for\npart = ");
   lam_text_quoted(out, model->parts[0].name);
   lam_text_add(out, "; // [");
@@ -103,6 +99,7 @@ static void add_show(lam_text *out, const lam_model *model) {
     lam_text_add(out, i ? ", " : "");
     lam_text_add(out, model->parts[i].name);
   }
+
   int raise = raise_of(model);
   lam_text_printf(out,
                   "]\n// How far families are raised above each other when exploded, mm\nraise = "
@@ -110,12 +107,15 @@ static void add_show(lam_text *out, const lam_model *model) {
                   raise, 4 * raise);
 }
 
+/* A section of the Customizer: the settings of all kinds that name it, with their sentence, unit
+ * and range. Lengths become millimeters. */
 static void add_section(lam_text *out, const lam_model *model, const char *section) {
   lam_text_printf(out, "\n/* [%s] */\n", section);
   for (int k = 0; k < model->record_kind_count; k++)
     for (int i = 0; i < model->record_kinds[k].setting_count; i++) {
       const lam_setting *setting = &model->record_kinds[k].settings[i];
       if (strcmp(setting->section, section)) continue;
+
       add_comment(out, setting->doc, setting->is_length ? ", mm" : "");
       add_variable(out, model, k, setting);
       lam_text_add(out, " = ");
@@ -126,6 +126,7 @@ static void add_section(lam_text *out, const lam_model *model, const char *secti
     }
 }
 
+/* Whether no earlier setting names the same section. */
 static bool is_first_of_section(const lam_model *model, int kind, int setting) {
   const char *section = model->record_kinds[kind].settings[setting].section;
   for (int k = 0; k <= kind; k++)
@@ -134,18 +135,21 @@ static bool is_first_of_section(const lam_model *model, int kind, int setting) {
   return true;
 }
 
+/* The settings of all kinds by section, in the order in which sections are first named; then the
+ * kerf, which is that of the first sheet. */
 static void add_settings(lam_text *out, const lam_model *model) {
   for (int k = 0; k < model->record_kind_count; k++)
     for (int i = 0; i < model->record_kinds[k].setting_count; i++)
       if (is_first_of_section(model, k, i))
         add_section(out, model, model->record_kinds[k].settings[i].section);
+
   lam_text_add(out, "\n/* [Flat outlines] */\n// Width that the cutting tool takes away, mm: "
-                    "outlines grow by half of "
-                    "it; 0 leaves it to the workshop\nkerf = ");
+                    "outlines grow by half of it; 0 leaves it to the workshop\nkerf = ");
   lam_text_number(out, model->sheet_count ? 1000 * model->sheets[0].kerf : 0, 6);
   lam_text_add(out, "; // [0:0.01:1]\n");
 }
 
+/* The settings of a kind as named arguments, which end a call that add_function began. */
 static void add_arguments(lam_text *out, const lam_model *model, int kind) {
   for (int i = 0; i < model->record_kinds[kind].setting_count; i++) {
     const lam_setting *setting = &model->record_kinds[kind].settings[i];
@@ -155,15 +159,19 @@ static void add_arguments(lam_text *out, const lam_model *model, int kind) {
   lam_text_add(out, ")");
 }
 
+/* The records of a kind that the Customizer lets be shown. */
 static void add_chosen(lam_text *out, const lam_record_kind *kind) {
   lam_text_add(out, "chosen(");
-  add_identifier(out, kind->kind);
+  lam_identifier_add(out, kind->kind);
   lam_text_add(out, "_records, show, part)");
 }
 
+/* What is drawn: the solids of a family, the outlines of everything, and the choice between
+ * them. */
 static void add_view(lam_text *out, const lam_model *model) {
   lam_text_add(out, "\n// The chosen parts of a family: 0 is A, 1 is B, -1 what belongs to none.\n"
                     "function family_solids(family) = concat(\n");
+
   for (int k = 0; k < model->record_kind_count; k++) {
     lam_text_add(out, "  [");
     add_function(out, &model->record_kinds[k], "solid");
@@ -177,6 +185,7 @@ static void add_view(lam_text *out, const lam_model *model) {
       out, "  show == \"one part\" ? unplaced(of_family(chosen(solids, show, part), family)) :\n"
            "    placed(of_family(chosen(solids, show, part), family)));\n"
            "function outlines() = concat(");
+
   for (int k = 0; k < model->record_kind_count; k++) {
     lam_text_add(out, k ? ",\n  " : "");
     add_function(out, &model->record_kinds[k], "outlines");
@@ -184,11 +193,13 @@ static void add_view(lam_text *out, const lam_model *model) {
     lam_text_add(out, ", part_names");
     add_arguments(out, model, k);
   }
+
   lam_text_add(out, ");\n\nif (is_flat(show)) show_flat(show, outlines(), kerf);\n"
                     "else show_solids([for (family = [0, 1, -1]) family_solids(family)], "
                     "show == \"exploded\" ? raise : 0);\n");
 }
 
+/* NAME.scad. What stands below [Hidden] is not shown in the Customizer. */
 static void write_main(const lam_model *model, lam_text *out) {
   add_comment(out, model->title ? model->title : model->name, "");
   if (model->source) add_comment(out, model->source, "");
@@ -196,8 +207,10 @@ static void write_main(const lam_model *model, lam_text *out) {
                   "// Written by lamella %s. Millimeters. Change the values here or in OpenSCAD's "
                   "Customizer.\n\n",
                   model->version);
+
   add_show(out, model);
   add_settings(out, model);
+
   lam_text_printf(out, "\n/* [Hidden] */\ninclude <%s_data.scad>\n", model->name);
   lam_text_add(out, "use <parts.scad>\n");
   for (int k = 0; k < model->record_kind_count; k++)
@@ -207,6 +220,7 @@ static void write_main(const lam_model *model, lam_text *out) {
 
 /* ---- the data file ---- */
 
+/* A vector of count numbers, scaled. */
 static void add_values(lam_text *out, const double *values, int count, double scale, int decimals) {
   lam_text_add(out, "[");
   for (int i = 0; i < count; i++) {
@@ -220,15 +234,19 @@ static void add_vector(lam_text *out, lam_vec3 v, double scale, int decimals) {
   add_values(out, (double[]){v.x, v.y, v.z}, 3, scale, decimals);
 }
 
+/* Begins an entry of a part: [name, family, [ ... */
 static void add_head(lam_text *out, const lam_part *part) {
   lam_text_add(out, "[");
   lam_text_quoted(out, part->name);
   lam_text_printf(out, ", %d, [", part->family);
 }
 
+/* A part as its record: rows of columns, lengths in millimeters, each with the decimals of its
+ * column. */
 static void add_record(lam_text *out, const lam_part *part, const lam_record_kind *kind) {
   const lam_record *record = part->record;
   add_head(out, part);
+
   for (int r = 0; r < record->rows; r++) {
     lam_text_add(out, r ? ",\n[" : "\n[");
     for (int c = 0; c < record->columns; c++) {
@@ -242,34 +260,61 @@ static void add_record(lam_text *out, const lam_part *part, const lam_record_kin
   lam_text_add(out, "]],\n");
 }
 
+/* The frames of the instances of a part: [origin, x axis, y axis, z axis] each; the identity for a
+ * solid that stands where it is. */
+static void add_frames(lam_text *out, const lam_part *part) {
+  const lam_pose here = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  int count = part->instance_count ? part->instance_count : 1;
+  for (int i = 0; i < count; i++) {
+    const lam_pose *pose = part->instance_count ? &part->instances[i] : &here;
+    lam_text_add(out, i ? ",\n[" : "\n[");
+    add_vector(out, pose->origin, 1000, 4);
+    for (int a = 0; a < 3; a++) {
+      lam_text_add(out, ",");
+      add_vector(out, pose->axis[a], 1, 7);
+    }
+    lam_text_add(out, "]");
+  }
+}
+
+/* A part as points, faces and frames. OpenSCAD wants faces clockwise: two corners change places. */
 static void add_solid(lam_text *out, const lam_part *part) {
   const lam_trimesh *mesh = &part->solid;
-  const lam_pose here = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   add_head(out, part);
+
   for (int i = 0; i < mesh->vertex_count; i++) {
     lam_text_add(out, i % 6 ? "," : i ? ",\n" : "\n");
     add_vector(out, mesh->vertices[i], 1000, 4);
   }
+
   lam_text_add(out, "], [");
   for (int i = 0; i < mesh->triangle_count; i++) {
     const int *t = mesh->triangles[i];
     lam_text_printf(out, "%s[%d,%d,%d]", i % 12 ? "," : i ? ",\n" : "\n", t[0], t[2], t[1]);
   }
+
   lam_text_add(out, "], [");
-  int count = part->instance_count ? part->instance_count : 1;
-  for (int i = 0; i < count; i++) {
-    const lam_pose *frame = part->instance_count ? &part->instances[i] : &here;
-    lam_text_add(out, i ? ",\n[" : "\n[");
-    add_vector(out, frame->origin, 1000, 4);
-    for (int a = 0; a < 3; a++) {
-      lam_text_add(out, ",");
-      add_vector(out, frame->axis[a], 1, 7);
-    }
-    lam_text_add(out, "]");
-  }
+  add_frames(out, part);
   lam_text_add(out, "]],\n");
 }
 
+/* The records of one kind, as the variable KIND_records, below a comment that names the columns. */
+static void add_records(lam_text *out, const lam_model *model, int k) {
+  const lam_record_kind *kind = &model->record_kinds[k];
+  lam_text_add(out, "\n// [name, family, rows]. A row is [");
+  for (int c = 0; c < kind->column_count; c++)
+    lam_text_printf(out, c ? ", %s" : "%s", kind->columns[c].name);
+  lam_text_add(out, "].\n");
+
+  lam_identifier_add(out, kind->kind);
+  lam_text_add(out, "_records = [\n");
+  for (int i = 0; i < model->part_count; i++)
+    if (record_kind(model, &model->parts[i]) == k) add_record(out, &model->parts[i], kind);
+  lam_text_add(out, "];\n");
+}
+
+/* NAME_data.scad: the names of all parts, the records of every kind, then the solids of the
+ * others. */
 static void write_data(const lam_model *model, lam_text *out) {
   lam_text_printf(
       out, "// The numbers of %s.scad. Written by lamella %s. Millimeters.\n\npart_names = [",
@@ -279,18 +324,9 @@ static void write_data(const lam_model *model, lam_text *out) {
     lam_text_quoted(out, model->parts[i].name);
   }
   lam_text_add(out, "];\n");
-  for (int k = 0; k < model->record_kind_count; k++) {
-    const lam_record_kind *kind = &model->record_kinds[k];
-    lam_text_add(out, "\n// [name, family, rows]. A row is [");
-    for (int c = 0; c < kind->column_count; c++)
-      lam_text_printf(out, c ? ", %s" : "%s", kind->columns[c].name);
-    lam_text_add(out, "].\n");
-    add_identifier(out, kind->kind);
-    lam_text_add(out, "_records = [\n");
-    for (int i = 0; i < model->part_count; i++)
-      if (record_kind(model, &model->parts[i]) == k) add_record(out, &model->parts[i], kind);
-    lam_text_add(out, "];\n");
-  }
+
+  for (int k = 0; k < model->record_kind_count; k++) add_records(out, model, k);
+
   lam_text_add(
       out,
       "\n// [name, family, points, faces, frames]. A frame is [origin, x axis, y axis, z axis].\n"

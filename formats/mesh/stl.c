@@ -1,6 +1,6 @@
-/* STL in millimeters. Written binary: an 80-byte header, the number of triangles, and per triangle
- * its normal, its corners (12 float32) and two zero bytes, all little end first. Read binary or as
- * text. */
+/* STL in millimeters (listed in formats/list/formats.c). Written binary: an 80-byte header, the
+ * number of triangles, and per triangle its normal, its corners (12 float32) and two zero bytes,
+ * all little end first. Read binary or as text. */
 #include "core/solid/triangles.h"
 #include "formats/format.h"
 #include "formats/scan.h"
@@ -8,12 +8,13 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { header_size = 84, record_size = 50 };
+enum { header_size = 84, record_size = 50 }; /* bytes; the header with the number of triangles */
 
 /* ---- writing ---- */
 
 static int count(const lam_model *model) { return model->part_count ? model->part_count + 1 : 0; }
 
+/* A file per part, then one of the whole model. */
 static void path(const lam_model *model, int i, lam_text *out) {
   if (i == model->part_count)
     lam_text_add(out, "assembly.stl");
@@ -35,6 +36,7 @@ static void write_vector(lam_text *out, lam_vec3 p) {
   lam_text_f32(out, (float)p.z);
 }
 
+/* The records of a mesh: meters become millimeters; the normal is (0, 0, 0) without area. */
 static void write_triangles(lam_text *out, const lam_trimesh *mesh) {
   for (int i = 0; i < mesh->triangle_count; i++) {
     lam_vec3 p[3];
@@ -45,23 +47,28 @@ static void write_triangles(lam_text *out, const lam_trimesh *mesh) {
   }
 }
 
+/* How many triangles a part has, all its instances together. */
 static size_t triangles_of(const lam_part *part) {
   return (size_t)part->solid.triangle_count *
          (size_t)(part->instance_count ? part->instance_count : 1);
 }
 
+/* A part where its instances stand. Each is a copy of the solid, whose memory is given back as
+ * long as the text did not move behind the mark. */
 static void write_instances(lam_text *out, const lam_part *part) {
   if (!part->instance_count) write_triangles(out, &part->solid);
   for (int i = 0; i < part->instance_count; i++) {
     lam_arena_mark mark = lam_arena_mark_get(out->arena);
+
     lam_trimesh placed = lam_trimesh_placed(out->arena, &part->solid, &part->instances[i]);
+
     size_t capacity = out->capacity;
     write_triangles(out, &placed);
-    if (out->capacity == capacity)
-      lam_arena_release(out->arena, mark); /* the text did not move behind the mark */
+    if (out->capacity == capacity) lam_arena_release(out->arena, mark);
   }
 }
 
+/* A part alone stands where its solid is, once; the whole model has all instances. */
 static lam_status write(const lam_model *model, int i, lam_text *out) {
   if (i < model->part_count) {
     write_header(out, model->name, model->parts[i].name,
@@ -69,6 +76,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
     write_triangles(out, &model->parts[i].solid);
     return LAM_OK;
   }
+
   size_t triangles = 0;
   for (int j = 0; j < model->part_count; j++) triangles += triangles_of(&model->parts[j]);
   write_header(out, model->name, NULL, triangles);
@@ -90,6 +98,7 @@ typedef struct corner_list {
   lam_vec3 *points;
 } corner_list;
 
+/* Corners are read in millimeters and kept in meters. */
 static void append(corner_list *list, lam_vec3 mm) {
   if (list->count == list->capacity) {
     list->capacity = list->capacity ? 2 * list->capacity : 3 * 256;
@@ -100,6 +109,8 @@ static void append(corner_list *list, lam_vec3 mm) {
   list->points[list->count++] = lam_scale(mm, 1e-3);
 }
 
+/* The records of a binary file, of which the caller has checked that they are there. Normals are
+ * not read. Stops with a message at the first number that is not finite. */
 static void read_binary(const char *bytes, uint32_t triangles, lam_location location,
                         lam_errors *errors, corner_list *corners) {
   for (uint32_t i = 0; i < triangles; i++) {
@@ -112,11 +123,13 @@ static void read_binary(const char *bytes, uint32_t triangles, lam_location loca
                     "triangle %u has a coordinate that is not a finite number", i + 1);
       return;
     }
+
     for (int k = 0; k < 9; k += 3) append(corners, lam_v3(xyz[k], xyz[k + 1], xyz[k + 2]));
   }
 }
 
-/* Takes the words of expected, in order, wherever lines end. */
+/* Takes the words of `expected` (NULL-terminated), in order, wherever lines end. False with a
+ * message. */
 static bool expect(lam_scan *scan, const char *const *expected) {
   for (; *expected; expected++) {
     lam_word word;
@@ -126,16 +139,18 @@ static bool expect(lam_scan *scan, const char *const *expected) {
                       *expected);
         return false;
       }
+
     if (lam_word_is(word, *expected)) continue;
-    int shown = word.length < 40 ? word.length : 40;
-    lam_error_add(scan->errors, scan->location, NULL, "\"%.*s\" given, \"%s\" expected", shown,
-                  word.text, *expected);
+    lam_error_add(scan->errors, scan->location, NULL, "\"%.*s\" given, \"%s\" expected",
+                  lam_word_shown(word), word.text, *expected);
     return false;
   }
   return true;
 }
 
-/* The rest of a triangle after "facet". The normal is not used, but must be numbers. */
+/* The rest of a triangle after "facet". The normal is not used, and may be nan, which some
+ * programs write for triangles without area; its three words must be there. False with a
+ * message. */
 static bool read_facet(lam_scan *scan, corner_list *corners) {
   static const char *const normal[] = {"normal", NULL}, *const loop[] = {"outer", "loop", NULL},
                            *const vertex[] = {"vertex", NULL},
@@ -143,11 +158,12 @@ static bool read_facet(lam_scan *scan, corner_list *corners) {
   lam_vec3 p;
   lam_word word;
   if (!expect(scan, normal)) return false;
-  for (int k = 0; k < 3; k++) /* some programs write nan for triangles without area */
+  for (int k = 0; k < 3; k++)
     if (!lam_scan_word(scan, &word)) {
       lam_error_add(scan->errors, scan->location, NULL, "normal: %d numbers given, 3 expected", k);
       return false;
     }
+
   if (!expect(scan, loop)) return false;
   for (int k = 0; k < 3; k++) {
     if (!expect(scan, vertex) || !lam_scan_point(scan, "vertex", &p)) return false;
@@ -156,34 +172,40 @@ static bool read_facet(lam_scan *scan, corner_list *corners) {
   return expect(scan, ends);
 }
 
+/* A text file. Several solids may follow one another; what stands behind "solid" and "endsolid"
+ * is a name. Stops at the first message. */
 static void read_text(lam_scan scan, corner_list *corners) {
   lam_word word;
-  do { /* several solids may follow one another; what stands behind "solid" and "endsolid" is a name
-        */
+  do {
     if (!lam_scan_word(&scan, &word)) continue;
     if (lam_word_is(word, "solid") || lam_word_is(word, "endsolid")) continue;
+
     while (lam_word_is(word, "facet")) {
       if (!read_facet(&scan, corners)) return;
       if (!lam_scan_word(&scan, &word)) word = (lam_word){"", 0};
     }
+
     if (word.length == 0 || lam_word_is(word, "endsolid")) continue;
-    int shown = word.length < 40 ? word.length : 40;
     lam_error_add(scan.errors, scan.location, NULL,
-                  "\"%.*s\" given, \"facet\" or \"endsolid\" expected", shown, word.text);
+                  "\"%.*s\" given, \"facet\" or \"endsolid\" expected", lam_word_shown(word),
+                  word.text);
     return;
   } while (lam_scan_line(&scan));
 }
 
-static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam_location location,
-                           lam_errors *errors, lam_trimesh *mesh) {
+/* Reads the corners of all triangles. A file is binary when its size is that of its number of
+ * triangles, whatever its header begins with; otherwise it is text when it begins with "solid".
+ * False with a message. */
+static bool read_corners(lam_arena *arena, const char *bytes, size_t size, lam_location location,
+                         lam_errors *errors, corner_list *corners) {
   int before = errors->count;
-  corner_list corners = {.arena = arena};
   uint32_t triangles = size >= header_size ? read_u32(bytes + header_size - 4) : 0;
   size_t expected = header_size + record_size * (size_t)triangles;
+
   if (size >= header_size && size == expected) {
-    read_binary(bytes, triangles, location, errors, &corners);
+    read_binary(bytes, triangles, location, errors, corners);
   } else if (size >= 5 && strncasecmp(bytes, "solid", 5) == 0) {
-    read_text(lam_scan_begin(arena, bytes, size, location, errors), &corners);
+    read_text(lam_scan_begin(arena, bytes, size, location, errors), corners);
   } else if (size >= header_size) {
     lam_error_add(errors, location, NULL,
                   "a binary STL file of %u triangles has %zu bytes; this one has %zu", triangles,
@@ -192,11 +214,20 @@ static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam
     lam_error_add(errors, location, NULL,
                   "is not an STL file: it neither begins with \"solid\" nor has a header");
   }
-  if (errors->count > before) return false;
+  return errors->count == before;
+}
+
+/* For the format's row. Corners at the same coordinates become one vertex. */
+static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam_location location,
+                           lam_errors *errors, lam_trimesh *mesh) {
+  corner_list corners = {.arena = arena};
+  if (!read_corners(arena, bytes, size, location, errors, &corners)) return false;
+
   lam_trimesh loose = {.vertex_count = (int)corners.count, .vertices = corners.points};
   loose.triangle_count = loose.vertex_count / 3;
   loose.triangles = lam_arena_alloc(arena, (size_t)loose.triangle_count, sizeof *loose.triangles);
   for (int i = 0; i < loose.vertex_count; i++) loose.triangles[i / 3][i % 3] = i;
+
   *mesh = lam_trimesh_weld(arena, &loose, 0);
   if (!mesh->triangle_count) lam_error_add(errors, location, NULL, "has no triangles");
   return mesh->triangle_count > 0;

@@ -1,3 +1,4 @@
+/* The net of a plot in the colors of a map, in parallel projection. Called by plot_svg.c. */
 #include "core/numbers.h"
 #include "formats/plot/plot.h"
 
@@ -6,6 +7,7 @@
 
 static const double azimuth = -55 * LAM_PI / 180, elevation = 32 * LAM_PI / 180; /* of the viewer */
 
+/* What is drawn, and where: set up by lam_plot_view. */
 typedef struct view {
   lam_text *out;
   const lam_mesh *net;
@@ -13,15 +15,17 @@ typedef struct view {
   const lam_color_scale *scale;
   lam_vec3 *points; /* on the page, x right, y down, z towards the viewer */
   double line;      /* width of the thin lines, millimeters */
-  int *first,
-      *next; /* edges of a map on edges, by their smaller vertex: first[v], next[e]; -1 ends */
+  /* Edges of a map on edges by their smaller vertex v: first[v], then by next[e]; -1 ends. */
+  int *first, *next;
 } view;
 
+/* A face by the sum of the depths of its corners. */
 typedef struct sorted_face {
   double depth;
   int face;
 } sorted_face;
 
+/* For qsort: farther faces first; those as far away in their order. */
 static int nearer(const void *a, const void *b) {
   const sorted_face *p = a, *q = b;
   return p->depth != q->depth ? (p->depth > q->depth) - (p->depth < q->depth) : p->face - q->face;
@@ -39,11 +43,13 @@ static void look(view *v) {
   }
 }
 
+/* The layout on the picture plane, seen from above. */
 static void look_flat(view *v) {
   for (int i = 0; i < v->net->vertex_count; i++)
     v->points[i] = lam_v3(v->map->layout[i].x, -v->map->layout[i].y, 0);
 }
 
+/* The bounding rectangle of the points; z is 0. */
 static void bounds(const view *v, lam_vec3 *low, lam_vec3 *high) {
   *low = lam_v3(INFINITY, INFINITY, 0), *high = lam_v3(-INFINITY, -INFINITY, 0);
   for (int i = 0; i < v->net->vertex_count; i++) {
@@ -53,7 +59,7 @@ static void bounds(const view *v, lam_vec3 *low, lam_vec3 *high) {
   }
 }
 
-/* Millimeters per meter that fit the points into the box. */
+/* Millimeters per meter that fit the points into the box; 0 when they have no extent. */
 static double fitting(const view *v, lam_box box) {
   lam_vec3 low, high;
   bounds(v, &low, &high);
@@ -61,8 +67,9 @@ static double fitting(const view *v, lam_box box) {
   return isfinite(scale) ? scale : 0;
 }
 
-/* Into the middle of the box. */
-static void location(view *v, lam_box box, double scale) {
+/* Moves the points from meters on the picture plane into the middle of the box, at so many
+ * millimeters per meter. Lines are thinner where the faces are small. */
+static void move_into(view *v, lam_box box, double scale) {
   lam_vec3 low, high;
   bounds(v, &low, &high);
   for (int i = 0; i < v->net->vertex_count; i++) {
@@ -71,10 +78,12 @@ static void location(view *v, lam_box box, double scale) {
     p->y = box.y + box.height / 2 + (p->y - (low.y + high.y) / 2) * scale;
     p->z *= scale;
   }
+
   double edge = sqrt(box.width * box.height / fmax(v->net->face_count, 1));
   v->line = fmin(.12, .03 * edge);
 }
 
+/* Begins a path through the points, closed from three on. Points that are not finite stand at 0. */
 static void add_path(const view *v, const lam_vec3 *points, int count) {
   lam_text_add(v->out, "<path d=\"M");
   for (int i = 0; i < count; i++) {
@@ -96,6 +105,8 @@ static void fill(const view *v, const lam_vec3 *points, int count, double value)
   lam_text_add(v->out, "\"/>\n");
 }
 
+/* A face in the colors of its vertices: each has the quarter between the midpoints of its edges
+ * and the middle of the face. */
 static void fill_quarters(const view *v, const lam_vec3 corners[4], const int *face) {
   lam_vec3 center =
       lam_scale(lam_add(lam_add(corners[0], corners[1]), lam_add(corners[2], corners[3])), .25);
@@ -106,6 +117,7 @@ static void fill_quarters(const view *v, const lam_vec3 corners[4], const int *f
   }
 }
 
+/* Lists the edges of the map by their smaller vertex. */
 static void find_edges(lam_arena *arena, view *v) {
   v->first = LAM_NEW(arena, int, v->net->vertex_count);
   v->next = LAM_NEW(arena, int, v->map->count);
@@ -118,6 +130,7 @@ static void find_edges(lam_arena *arena, view *v) {
   }
 }
 
+/* The value of the edge between vertices a and b; not a number when the map does not have it. */
 static double edge_value(const view *v, int a, int b) {
   int low = a < b ? a : b, high = a < b ? b : a;
   for (int e = v->first[low]; e >= 0; e = v->next[e])
@@ -125,6 +138,7 @@ static double edge_value(const view *v, int a, int b) {
   return NAN;
 }
 
+/* A white face and its edges in their colors. */
 static void draw_edges(const view *v, const lam_vec3 corners[4], const int *face) {
   add_path(v, corners, 4);
   lam_text_add(v->out, " fill=\"#ffffff\" stroke=\"none\"/>\n");
@@ -136,6 +150,7 @@ static void draw_edges(const view *v, const lam_vec3 corners[4], const int *face
   }
 }
 
+/* A face as its map wants it, with a thin line around it where the values are not on edges. */
 static void draw_face(const view *v, int f) {
   const int *face = v->net->faces[f];
   lam_vec3 corners[4];
@@ -144,15 +159,17 @@ static void draw_face(const view *v, int f) {
     draw_edges(v, corners, face);
     return;
   }
+
   if (v->map->on == LAM_MAP_FACES)
     fill(v, corners, 4, v->map->values[f]);
   else
     fill_quarters(v, corners, face);
+
   add_path(v, corners, 4);
   lam_text_add(v->out, " class=\"line\"/>\n");
 }
 
-/* All faces, farther ones first. */
+/* All faces in a group of this class, farther ones first, so that nearer ones cover them. */
 static void draw(view *v, const char *class) {
   lam_text *out = v->out;
   sorted_face *order = LAM_NEW(out->arena, sorted_face, v->net->face_count);
@@ -161,6 +178,7 @@ static void draw(view *v, const char *class) {
     for (int k = 0; k < 4; k++) order[f].depth += v->points[v->net->faces[f][k]].z;
   }
   qsort(order, (size_t)v->net->face_count, sizeof *order, nearer);
+
   lam_text_printf(out, "<g class=\"%s\" stroke-linejoin=\"round\" stroke-width=\"", class);
   lam_text_number(out, v->line, 3);
   lam_text_add(
@@ -169,34 +187,39 @@ static void draw(view *v, const char *class) {
       "stroke-linecap: round; stroke-width: ");
   lam_text_number(out, 4 * v->line, 3);
   lam_text_add(out, " }</style>\n");
+
   for (int i = 0; i < v->net->face_count; i++) draw_face(v, order[i].face);
   lam_text_add(out, "</g>\n");
 }
 
+/* A layout and the net get half of the box each, and the smaller of the two scales that fit. */
 void lam_plot_view(lam_text *out, const lam_mesh *net, const lam_map *map,
                    const lam_color_scale *scale, lam_box box) {
-  static const double gap = 6;
+  static const double gap = 6; /* between net and layout, mm */
   lam_arena *arena = out->arena;
   view v = {.out = out,
             .net = net,
             .map = map,
             .scale = scale,
             .points = LAM_NEW(arena, lam_vec3, net->vertex_count)};
+
   if (map->on == LAM_MAP_EDGES) find_edges(arena, &v);
   look(&v);
   if (!map->layout) {
-    location(&v, box, fitting(&v, box));
+    move_into(&v, box, fitting(&v, box));
     draw(&v, "view");
     return;
   }
+
   lam_box half = {box.x, box.y, (box.width - gap) / 2, box.height}, other = half;
   other.x += half.width + gap;
   double shared = fitting(&v, half);
   look_flat(&v);
   shared = fmin(shared, fitting(&v, other));
-  location(&v, other, shared);
+  move_into(&v, other, shared);
   draw(&v, "layout");
+
   look(&v);
-  location(&v, half, shared);
+  move_into(&v, half, shared);
   draw(&v, "view");
 }

@@ -1,5 +1,5 @@
-/* The picture: the scene of formats/pov.c, rendered by POV-Ray. The program starts it; this row
- * gives its name. */
+/* The picture: the scene of pov.c, rendered by POV-Ray. gen/library starts the program; this row,
+ * listed in formats/list/formats.c, gives its name. */
 #include "formats/format.h"
 
 static int count(const lam_model *model) { return model->picture.setting != NULL; }
@@ -9,8 +9,9 @@ static void path(const lam_model *model, int i, lam_text *name) {
   lam_text_printf(name, "%s.png", model->name);
 }
 
-const lam_format lam_format_png = {.name = "png",
-                                   .doc =
-                                       "NAME.png: the scene rendered by POV-Ray (needs pov too).",
-                                   .count = count,
-                                   .path = path};
+const lam_format lam_format_png = {
+    .name = "png",
+    .doc = "NAME.png: the scene rendered by POV-Ray (needs pov too).",
+    .count = count,
+    .path = path,
+};

@@ -1,11 +1,12 @@
-/* DXF, release 12 (AC1009): a file per sheet, in millimeters. Everything is a POLYLINE, so that
- * every laser, plasma and water-jet program reads it; a closed one has flag 1 and does not repeat
- * its first point. */
+/* DXF, release 12 (AC1009): a file per sheet (sheets/NAME.dxf; listed in formats/list/formats.c),
+ * in millimeters. Everything is a POLYLINE, so that every laser, plasma and water-jet program
+ * reads it; a closed one has flag 1 and does not repeat its first point. */
 #include "formats/format.h"
 #include "formats/sheets/layer.h"
 
 enum { DECIMALS = 4 };
 
+/* A group of the file: a code, which says what the value means, and the value, a line each. */
 static void pair(lam_text *out, int code, const char *value) {
   lam_text_printf(out, "%3d\n%s\n", code, value);
 }
@@ -18,6 +19,7 @@ static void pair_mm(lam_text *out, int code, double meters) {
   lam_text_add(out, "\n");
 }
 
+/* Variables of the header: a point, an integer. */
 static void variable_point(lam_text *out, const char *name, double x, double y) {
   pair(out, 9, name);
   pair_mm(out, 10, x);
@@ -30,6 +32,8 @@ static void variable_int(lam_text *out, const char *name, int value) {
   pair_int(out, 70, value);
 }
 
+/* The header: version, code page, millimeters (INSUNITS 4, metric), the sheet as extent and
+ * limits. */
 static void header(lam_text *out, const lam_sheet *sheet) {
   pair(out, 0, "SECTION");
   pair(out, 2, "HEADER");
@@ -37,11 +41,14 @@ static void header(lam_text *out, const lam_sheet *sheet) {
   pair(out, 1, "AC1009");
   pair(out, 9, "$DWGCODEPAGE");
   pair(out, 3, "ANSI_1252");
+
   variable_int(out, "$INSUNITS", 4);
   variable_int(out, "$MEASUREMENT", 1);
+
   variable_point(out, "$INSBASE", 0, 0);
   variable_point(out, "$EXTMIN", 0, 0);
   variable_point(out, "$EXTMAX", sheet->width, sheet->height);
+
   pair(out, 9, "$LIMMIN");
   pair_mm(out, 10, 0);
   pair_mm(out, 20, 0);
@@ -57,9 +64,11 @@ static void table(lam_text *out, const char *name, int entries) {
   pair_int(out, 70, entries);
 }
 
+/* One line type and the layers, of which layer 0 is always there. */
 static void tables(lam_text *out) {
   pair(out, 0, "SECTION");
   pair(out, 2, "TABLES");
+
   table(out, "LTYPE", 1);
   pair(out, 0, "LTYPE");
   pair(out, 2, "CONTINUOUS");
@@ -69,8 +78,9 @@ static void tables(lam_text *out) {
   pair_int(out, 73, 0);
   pair_int(out, 40, 0);
   pair(out, 0, "ENDTAB");
+
   table(out, "LAYER", LAM_LAYER_COUNT + 1);
-  for (int i = -1; i < LAM_LAYER_COUNT; i++) { /* layer 0 is always there */
+  for (int i = -1; i < LAM_LAYER_COUNT; i++) {
     pair(out, 0, "LAYER");
     pair(out, 2, i < 0 ? "0" : lam_layer_styles[i].name);
     pair_int(out, 70, 0);
@@ -81,17 +91,19 @@ static void tables(lam_text *out) {
   pair(out, 0, "ENDSEC");
 }
 
-/* Points that fall together when rounded are written once. */
+/* Whether points fall together when rounded: then they are written once. */
 static bool same(lam_vec2 a, lam_vec2 b) {
   double scale = 1e7; /* DECIMALS of a millimeter */
   return round(a.x * scale) == round(b.x * scale) && round(a.y * scale) == round(b.y * scale);
 }
 
+/* A path as POLYLINE, VERTEX ... SEQEND, with z = 0; one of fewer than two points is left out. */
 static void polyline(lam_text *out, const lam_path *path) {
   const char *layer = lam_layer_styles[path->layer].name;
   int count = path->count;
   while (path->closed && count > 1 && same(path->points[0], path->points[count - 1])) count--;
   if (count < 2) return;
+
   pair(out, 0, "POLYLINE");
   pair(out, 8, layer);
   pair_int(out, 66, 1);
@@ -99,6 +111,7 @@ static void polyline(lam_text *out, const lam_path *path) {
   pair_mm(out, 20, 0);
   pair_mm(out, 30, 0);
   pair_int(out, 70, path->closed ? 1 : 0);
+
   for (int i = 0; i < count; i++) {
     if (i && same(path->points[i - 1], path->points[i])) continue;
     pair(out, 0, "VERTEX");
@@ -107,15 +120,18 @@ static void polyline(lam_text *out, const lam_path *path) {
     pair_mm(out, 20, path->points[i].y);
     pair_mm(out, 30, 0);
   }
+
   pair(out, 0, "SEQEND");
   pair(out, 8, layer);
 }
 
+/* Comments (code 999): what the sheet is of, and whether the kerf is compensated. */
 static void remarks(lam_text *out, const lam_model *model, const lam_sheet *sheet) {
   lam_text_printf(out, "999\n%s, %s: %s, ", model->name, sheet->name,
                   sheet->material ? sheet->material->name : "any material");
   lam_text_number(out, sheet->thickness * 1e3, 3);
   lam_text_add(out, " mm thick; millimeters\n999\n");
+
   if (sheet->kerf > 0) {
     lam_text_add(out, "kerf of ");
     lam_text_number(out, sheet->kerf * 1e3, 3);
@@ -130,18 +146,22 @@ static void path_of(const lam_model *model, int i, lam_text *path) {
   lam_text_printf(path, "sheets/%s.dxf", model->sheets[i].name);
 }
 
+/* The border of the sheet, then the paths of all pieces. */
 static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   const lam_sheet *sheet = &model->sheets[i];
   double w = sheet->width, h = sheet->height;
   lam_path border = {LAM_LAYER_SHEET, true, false, 4, (lam_vec2[]){{0, 0}, {w, 0}, {w, h}, {0, h}}};
+
   remarks(out, model, sheet);
   header(out, sheet);
   tables(out);
+
   pair(out, 0, "SECTION");
   pair(out, 2, "ENTITIES");
   polyline(out, &border);
   for (int p = 0; p < sheet->piece_count; p++)
     for (int k = 0; k < sheet->placed[p].path_count; k++) polyline(out, &sheet->placed[p].paths[k]);
+
   pair(out, 0, "ENDSEC");
   pair(out, 0, "EOF");
   return LAM_OK;
@@ -149,9 +169,8 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 
 const lam_format lam_format_dxf = {
     .name = "dxf",
-    .doc = "Cutting sheets for lasers, plasma and water jets: DXF release 12, layers CUT, ENGRAVE, "
-           "LABEL and SHEET, "
-           "millimeters.",
+    .doc = "Cutting sheets for lasers, plasma and water jets: DXF release 12, layers CUT, "
+           "ENGRAVE, LABEL and SHEET, millimeters.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

@@ -1,3 +1,4 @@
+/* The layers of sheet drawings, for dxf.c and svg.c. */
 #include "formats/sheets/layer.h"
 
 const lam_layer_style lam_layer_styles[LAM_LAYER_COUNT] = {

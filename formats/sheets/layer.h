@@ -1,4 +1,5 @@
-/* The layers of sheet drawings: names and colors, the same in every format. */
+/* The layers of sheet drawings: names and colors, the same in every format. Used by dxf.c and
+ * svg.c. */
 #ifndef LAM_FORMATS_SHEETS_LAYER_H
 #define LAM_FORMATS_SHEETS_LAYER_H
 
@@ -8,7 +9,7 @@ typedef struct lam_layer_style {
   const char *name;
   int aci;           /* AutoCAD color index */
   const char *color; /* the same color for the web */
-  const char *doc;
+  const char *doc;   /* what the workshop does with it */
 } lam_layer_style;
 
 /* In the order of lam_layer. */

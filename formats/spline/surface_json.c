@@ -1,5 +1,6 @@
-/* surface.json: the control nets of the model's spline surfaces and the control points of its
- * curves, in meters. Numbers read back exactly. */
+/* surface.json (listed in formats/list/formats.c): the control nets of the model's spline
+ * surfaces and the control points of its curves, in meters. Numbers read back exactly. Read, too:
+ * units m, cm and mm. */
 #include "formats/format.h"
 #include "formats/spline/curves.h"
 
@@ -17,6 +18,7 @@ static void path(const lam_model *model, int i, lam_text *out) {
   lam_text_add(out, "surface.json");
 }
 
+/* A list of n numbers, in one line. */
 static void add_numbers(lam_text *out, const double *numbers, int n) {
   lam_text_add(out, "[");
   for (int i = 0; i < n; i++) {
@@ -32,6 +34,7 @@ static void add_knots(lam_text *out, const char *name, const double *knots, int 
   lam_text_add(out, ",\n");
 }
 
+/* The points, one in a line, and the weights when there are any: the last keys of an entry. */
 static void add_points(lam_text *out, const lam_vec3 *points, const double *weights, int n) {
   lam_text_add(out, "      \"points\": [");
   for (int i = 0; i < n; i++) {
@@ -51,6 +54,7 @@ static void add_name(lam_text *out, const char *name) {
   lam_text_quoted(out, name);
 }
 
+/* An entry of the list of surfaces. */
 static void add_surface(lam_text *out, const lam_spline_surface *s) {
   static const char *const names[] = {"knots_u", "knots_v"};
   add_name(out, s->name);
@@ -60,6 +64,7 @@ static void add_surface(lam_text *out, const lam_spline_surface *s) {
   add_points(out, s->points, s->weights, s->count[0] * s->count[1]);
 }
 
+/* An entry of the list of curves. */
 static void add_curve(lam_text *out, const lam_named_curve *named) {
   const lam_spline_curve *c = &named->spline;
   add_name(out, named->name);
@@ -69,6 +74,7 @@ static void add_curve(lam_text *out, const lam_named_curve *named) {
   add_points(out, c->points, c->weights, c->count);
 }
 
+/* A map with the unit, the order of points, and two lists, either of which may be empty. */
 static lam_status write(const lam_model *model, int i, lam_text *out) {
   (void)i;
   lam_text_add(
@@ -78,6 +84,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
     add_surface(out, &model->surfaces[s]);
     lam_text_add(out, s + 1 < model->surface_count ? ",\n" : "\n");
   }
+
   lam_text_add(out, "  ],\n  \"curves\": [\n");
   for (int c = 0; c < model->curve_count; c++) {
     add_curve(out, &model->curves[c]);
@@ -99,13 +106,15 @@ typedef struct reader {
   int item;         /* and which of them, from 0 */
 } reader;
 
+/* A message about a key of the item being read; false. */
 static bool fail(const reader *r, const char *what, const char *expected) {
   lam_error_add(r->errors, r->location, NULL, "%s[%d].%s: expected %s", r->list, r->item, what,
                 expected);
   return false;
 }
 
-/* A list of so many numbers; count < 0: of any number, but some. */
+/* The numbers of a list; count: how many there must be, -1: any number but none. NULL when it is
+ * no such list. Owned by the arena. */
 static const double *read_numbers(const reader *r, const json_t *list, int count) {
   int given = (int)json_array_size(list);
   if (given == 0 || (count >= 0 && given != count)) return NULL;
@@ -118,6 +127,7 @@ static const double *read_numbers(const reader *r, const json_t *list, int count
   return numbers;
 }
 
+/* Two whole numbers from least to a million; false when the list is not that. */
 static bool read_pair(const json_t *list, int least, int pair[2]) {
   for (int d = 0; d < 2; d++) {
     json_int_t value = json_integer_value(json_array_get(list, (size_t)d));
@@ -127,7 +137,8 @@ static bool read_pair(const json_t *list, int least, int pair[2]) {
   return json_array_size(list) == 2;
 }
 
-/* So many points of three numbers and, where they are given, weights. */
+/* `total` points of three numbers, in meters, and, where they are given, as many weights
+ * (otherwise NULL). False with a message. */
 static bool read_points(const reader *r, const json_t *object, size_t total,
                         const lam_vec3 **points, const double **weights) {
   const json_t *list = json_object_get(object, "points"),
@@ -139,23 +150,27 @@ static bool read_points(const reader *r, const json_t *object, size_t total,
     if (!p) return fail(r, "points", "three numbers for each");
     net[i] = lam_v3(r->unit * p[0], r->unit * p[1], r->unit * p[2]);
   }
+
   *points = net;
   *weights = given ? read_numbers(r, given, (int)total) : NULL;
   return !given || *weights || fail(r, "weights", "a number for each point");
 }
 
+/* True when there is no problem; otherwise a message about the item being read. */
 static bool is_sound(const reader *r, const char *problem) {
   if (problem)
     lam_error_add(r->errors, r->location, NULL, "%s[%d] has %s", r->list, r->item, problem);
   return !problem;
 }
 
+/* An entry of the list of surfaces. False with a message. */
 static bool read_surface(const reader *r, const json_t *object, lam_spline_surface *s) {
   static const char *const knots[] = {"knots_u", "knots_v"};
   if (!read_pair(json_object_get(object, "degree"), 1, s->degree))
     return fail(r, "degree", "two whole numbers from 1 on");
   if (!read_pair(json_object_get(object, "count"), 2, s->count))
     return fail(r, "count", "two whole numbers from 2 on");
+
   size_t total = (size_t)s->count[0] * (size_t)s->count[1];
   if (!read_points(r, object, total, &s->points, &s->weights)) return false;
   for (int d = 0; d < 2; d++)
@@ -165,29 +180,37 @@ static bool read_surface(const reader *r, const json_t *object, lam_spline_surfa
   return is_sound(r, lam_spline_problem(s));
 }
 
+/* The family of an entry: 0, 1, or -1 for anything else. */
+static int read_family(const json_t *family) {
+  json_int_t value = json_is_integer(family) ? json_integer_value(family) : -1;
+  return value >= 0 && value < 2 ? (int)value : -1;
+}
+
+/* An entry of the list of curves; its knots are clamped. False with a message. The name is
+ * "curves[i]" when none is given. */
 static bool read_curve(const reader *r, const json_t *object, lam_named_curve *c) {
   lam_spline_curve *s = &c->spline;
-  const json_t *name = json_object_get(object, "name"), *family = json_object_get(object, "family");
+  const json_t *name = json_object_get(object, "name");
   json_int_t degree = json_integer_value(json_object_get(object, "degree"));
   json_int_t count = json_integer_value(json_object_get(object, "count")), most = 1000000;
   if (degree < 1 || degree > most) return fail(r, "degree", "a whole number from 1 on");
   if (count < 2 || count > most) return fail(r, "count", "a whole number from 2 on");
   s->degree = (int)degree;
   s->count = (int)count;
+
   if (!read_points(r, object, (size_t)count, &s->points, &s->weights)) return false;
   s->knots = read_numbers(r, json_object_get(object, "knots"), s->count + s->degree + 1);
   if (!s->knots) return fail(r, "knots", "count + degree + 1 numbers");
   if (!is_sound(r, lam_curve_problem(s))) return false;
+
   *s = lam_curve_part(r->arena, s, s->knots[s->degree], s->knots[s->count]);
-  c->family =
-      json_is_integer(family) && json_integer_value(family) >= 0 && json_integer_value(family) < 2
-          ? (int)json_integer_value(family)
-          : -1;
+  c->family = read_family(json_object_get(object, "family"));
   c->name = json_is_string(name) ? lam_arena_copy(r->arena, json_string_value(name))
                                  : lam_arena_printf(r->arena, "curves[%d]", r->item);
   return true;
 }
 
+/* m, cm or mm; false with a message. */
 static bool read_unit(reader *r, const json_t *unit) {
   static const struct {
     const char *name;
@@ -202,7 +225,8 @@ static bool read_unit(reader *r, const json_t *unit) {
 
 static void release(void *root) { json_decref(root); }
 
-/* The list that r->list names; NULL with a message. */
+/* The list that r->list names, with the unit of the file in r->unit; NULL with a message. The
+ * tree is closed with the arena. */
 static const json_t *open_list(reader *r, const char *bytes, size_t size) {
   json_error_t error;
   json_t *root = json_loadb(bytes, size, 0, &error);
@@ -214,6 +238,7 @@ static const json_t *open_list(reader *r, const char *bytes, size_t size) {
     lam_error_add(r->errors, location, NULL, "is not valid JSON: %s", text.data);
     return NULL;
   }
+
   lam_arena_defer(r->arena, release, root);
   const json_t *list = json_object_get(root, r->list);
   if (!json_array_size(list)) {
@@ -221,9 +246,11 @@ static const json_t *open_list(reader *r, const char *bytes, size_t size) {
                   r->list, r->list);
     return NULL;
   }
+
   return read_unit(r, json_object_get(root, "unit")) ? list : NULL;
 }
 
+/* For the format's row: all surfaces, each named by its place in the list in messages. */
 static bool read_surfaces(lam_arena *arena, const char *bytes, size_t size, lam_location location,
                           lam_errors *errors, lam_spline_list *surfaces) {
   reader r = {.arena = arena, .location = location, .errors = errors, .list = "surfaces"};
@@ -237,6 +264,7 @@ static bool read_surfaces(lam_arena *arena, const char *bytes, size_t size, lam_
   return list != NULL;
 }
 
+/* For the format's row: all curves. */
 static bool read_curves(lam_arena *arena, const char *bytes, size_t size, lam_location location,
                         lam_errors *errors, lam_curve_list *curves) {
   reader r = {.arena = arena, .location = location, .errors = errors, .list = "curves"};
@@ -253,8 +281,7 @@ static bool read_curves(lam_arena *arena, const char *bytes, size_t size, lam_lo
 const lam_format lam_format_surface = {
     .name = "surface",
     .doc = "The smooth surfaces, and the axes of lamellas or the lines of the net as curves "
-           "(degrees, knots, points, "
-           "weights), as JSON, in meters.",
+           "(degrees, knots, points, weights), as JSON, in meters.",
     .ending = "json",
     .count = count,
     .path = path,

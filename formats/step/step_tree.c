@@ -1,4 +1,7 @@
+/* From the text of a STEP file (ISO 10303-21) to its entities, by recursive descent, and finding
+ * one's way among them. Called by step_read.c; looked into by all files of the reader. */
 #include "formats/step/step_tree.h"
+#include "core/grow.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -8,12 +11,14 @@ enum { deepest = 64, longest_entity = 15 };
 typedef struct parser {
   lam_scan *scan;
   lam_arena *arena;
-  int depth, capacity;
+  int depth;    /* brackets that are open */
+  int capacity; /* of the tree's entities */
   lam_step_tree *tree;
 } parser;
 
 static bool parse_value(parser *p, lam_step_value *value);
 
+/* A message that says what stands here, when it can be shown, and what is expected; false. */
 static bool fail(parser *p, const char *expected) {
   int shown = p->scan->at < p->scan->end;
   char given = shown ? *p->scan->at : ' ';
@@ -28,11 +33,13 @@ static bool fail(parser *p, const char *expected) {
 static bool at_end(const parser *p) { return p->scan->at == p->scan->end; }
 static char peek(const parser *p) { return at_end(p) ? 0 : *p->scan->at; }
 
+/* Goes on by a byte, counting lines. */
 static void step(parser *p) {
   if (*p->scan->at == '\n') p->scan->location.line++;
   p->scan->at++;
 }
 
+/* Whether the text goes on like this, upper or lower case. */
 static bool starts(const parser *p, const char *text) {
   size_t length = strlen(text);
   return (size_t)(p->scan->end - p->scan->at) >= length &&
@@ -53,6 +60,8 @@ static void skip(parser *p) {
   }
 }
 
+/* Passes over one character and blanks before it; false with a message when another one stands
+ * there. */
 static bool take(parser *p, char c, const char *expected) {
   skip(p);
   if (peek(p) != c || at_end(p)) return fail(p, expected);
@@ -67,6 +76,7 @@ static bool is_letter(char c) {
 
 /* ---- values ---- */
 
+/* A # and at most 15 digits. */
 static bool parse_entity_number(parser *p, long *number) {
   step(p); /* the # */
   *number = 0;
@@ -76,7 +86,7 @@ static bool parse_entity_number(parser *p, long *number) {
   return digits && digits <= longest_entity ? true : fail(p, "the number of an entity");
 }
 
-/* Between quotes or dots; doubled quotes stand for one. */
+/* A text between quotes or dots, which it keeps; doubled quotes stand for one. */
 static bool parse_text(parser *p, char quote, lam_step_value *value) {
   value->type = LAM_STEP_TEXT;
   value->word.text = p->scan->at;
@@ -90,6 +100,7 @@ static bool parse_text(parser *p, char quote, lam_step_value *value) {
   return true;
 }
 
+/* All that can belong to a number; whether it is one is for lam_scan_number to say. */
 static bool parse_number(parser *p, lam_step_value *value) {
   lam_word word = {p->scan->at, 0};
   while (!at_end(p) && (is_digit(peek(p)) || strchr("+-.eE", peek(p)))) step(p);
@@ -98,11 +109,14 @@ static bool parse_number(parser *p, lam_step_value *value) {
   return lam_scan_number(p->scan, word, "number", &value->number);
 }
 
-/* The items up to the closing bracket. */
+/* The items of a list in brackets, linked in their order. Brackets may stand within brackets,
+ * though not without end. */
 static bool parse_items(parser *p, lam_step_value *list) {
   if (!take(p, '(', "(")) return false;
   if (++p->depth > deepest) return fail(p, "fewer brackets within brackets");
+
   const lam_step_value **link = &list->first;
+
   skip(p);
   while (peek(p) != ')') {
     lam_step_value *item = LAM_NEW(p->arena, lam_step_value, 1);
@@ -124,6 +138,7 @@ static bool parse_items(parser *p, lam_step_value *list) {
   return true;
 }
 
+/* A keyword and its items. */
 static bool parse_record(parser *p, lam_step_value *value) {
   skip(p);
   value->type = LAM_STEP_RECORD;
@@ -134,6 +149,7 @@ static bool parse_record(parser *p, lam_step_value *value) {
   return parse_items(p, value);
 }
 
+/* Any value, told from its first character; a dot begins a number or an enumeration. */
 static bool parse_value(parser *p, lam_step_value *value) {
   skip(p);
   char c = peek(p), after = p->scan->end - p->scan->at > 1 ? p->scan->at[1] : 0;
@@ -141,6 +157,7 @@ static bool parse_value(parser *p, lam_step_value *value) {
     step(p);
     return true;
   }
+
   if (c == '\'' || c == '"' || (c == '.' && !is_digit(after))) return parse_text(p, c, value);
   if (c == '#') {
     value->type = LAM_STEP_REFERENCE;
@@ -150,6 +167,7 @@ static bool parse_value(parser *p, lam_step_value *value) {
     value->type = LAM_STEP_LIST;
     return parse_items(p, value);
   }
+
   if (is_letter(c)) return parse_record(p, value);
   if (is_digit(c) || c == '+' || c == '-' || c == '.') return parse_number(p, value);
   return fail(p, "a value");
@@ -157,25 +175,23 @@ static bool parse_value(parser *p, lam_step_value *value) {
 
 /* ---- entities ---- */
 
+/* Adds an empty entity to the tree; it moves when the next one is added. */
 static lam_step_entity *append(parser *p) {
   lam_step_tree *tree = p->tree;
-  if (tree->count == p->capacity) {
-    p->capacity = p->capacity ? 2 * p->capacity : 256;
-    lam_step_entity *larger = LAM_NEW(p->arena, lam_step_entity, p->capacity);
-    if (tree->count) memcpy(larger, tree->entities, (size_t)tree->count * sizeof *larger);
-    tree->entities = larger;
-  }
-  return &tree->entities[tree->count++];
+  LAM_APPEND(p->arena, tree->entities, tree->count, p->capacity, (lam_step_entity){0});
+  return &tree->entities[tree->count - 1];
 }
 
-/* #12=RECORD(...); or #12=(RECORD(...)RECORD(...)); */
+/* An entity, #12=RECORD(...); or the complex instance #12=(RECORD(...)RECORD(...)); */
 static bool parse_entity(parser *p) {
   lam_step_entity *entity = append(p);
   entity->line = p->scan->location.line;
   if (!parse_entity_number(p, &entity->number) || !take(p, '=', "=")) return false;
+
   skip(p);
   bool complex = peek(p) == '(';
   if (complex) step(p);
+
   const lam_step_value **link = &entity->records;
   do {
     lam_step_value *record = LAM_NEW(p->arena, lam_step_value, 1);
@@ -187,7 +203,8 @@ static bool parse_entity(parser *p) {
   return (!complex || take(p, ')', ")")) && take(p, ';', ";");
 }
 
-/* Statements that are not entities: sections and the header. */
+/* Passes over a statement that is no entity: sections and the header. ended becomes true at the
+ * last one of a file. */
 static bool skip_statement(parser *p, bool *ended) {
   *ended |= starts(p, "END-ISO-10303-21");
   while (!at_end(p) && peek(p) != ';') {
@@ -206,10 +223,25 @@ static int by_number(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
+/* Sorts the entities by number; a number that is given twice is an error. */
+static bool sort_entities(lam_scan *scan, lam_step_tree *tree) {
+  if (tree->count) qsort(tree->entities, (size_t)tree->count, sizeof *tree->entities, by_number);
+  for (int i = 1; i < tree->count; i++)
+    if (tree->entities[i].number == tree->entities[i - 1].number) {
+      scan->location.line = tree->entities[i].line;
+      lam_error_add(scan->errors, scan->location, NULL, "entity #%ld given twice",
+                    tree->entities[i].number);
+      return false;
+    }
+  return true;
+}
+
+/* Statement by statement, up to the one that ends the file. */
 bool lam_step_tree_read(lam_arena *arena, lam_scan *scan, lam_step_tree *tree) {
   parser p = {.scan = scan, .arena = arena, .tree = tree};
   bool ended = false;
   *tree = (lam_step_tree){0};
+
   skip(&p);
   if (!starts(&p, "ISO-10303-21")) {
     scan->location.line = 0;
@@ -217,19 +249,14 @@ bool lam_step_tree_read(lam_arena *arena, lam_scan *scan, lam_step_tree *tree) {
                   "is not a STEP file: it does not begin with ISO-10303-21");
     return false;
   }
+
   for (skip(&p); !at_end(&p) && !ended; skip(&p))
     if (!(peek(&p) == '#' ? parse_entity(&p) : skip_statement(&p, &ended))) return false;
-  if (!ended)
+  if (!ended) {
     lam_error_add(scan->errors, scan->location, NULL, "is cut off: END-ISO-10303-21 expected");
-  if (tree->count) qsort(tree->entities, (size_t)tree->count, sizeof *tree->entities, by_number);
-  for (int i = 1; i < tree->count && ended; i++)
-    if (tree->entities[i].number == tree->entities[i - 1].number) {
-      scan->location.line = tree->entities[i].line;
-      lam_error_add(scan->errors, scan->location, NULL, "entity #%ld given twice",
-                    tree->entities[i].number);
-      return false;
-    }
-  return ended;
+    return false;
+  }
+  return sort_entities(scan, tree);
 }
 
 /* ---- looking into it ---- */

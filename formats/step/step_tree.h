@@ -1,5 +1,5 @@
 /* The data of a STEP file (ISO 10303-21) as a tree, whatever its schema: entities by number, each
- * with its records. */
+ * with its records. Used by the other files of the STEP reader (step_reader.h). */
 #ifndef LAM_FORMATS_STEP_STEP_TREE_H
 #define LAM_FORMATS_STEP_STEP_TREE_H
 
@@ -35,8 +35,9 @@ typedef struct lam_step_tree {
   lam_step_entity *entities; /* in the order of their numbers */
 } lam_step_tree;
 
-/* Reads a whole file. The bytes must stay. False with one message when it is no STEP file, cut off
- * or not well formed. What a reference points to is not checked. */
+/* Reads the whole text of scan (lam_scan_begin), whose bytes must stay; the tree is owned by
+ * arena. False with one message when it is no STEP file, cut off or not well formed. What a
+ * reference points to is not checked. */
 bool lam_step_tree_read(lam_arena *arena, lam_scan *scan, lam_step_tree *tree);
 
 /* The entity with this number; NULL: there is none. */

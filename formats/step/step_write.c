@@ -1,3 +1,5 @@
+/* Entities of a STEP file, for step.c: points, B-spline curves and surfaces (ISO 10303-42), and
+ * what they are written of. */
 #include "formats/step/step_write.h"
 
 int lam_step_begin(lam_step_writer *s) {
@@ -7,6 +9,7 @@ int lam_step_begin(lam_step_writer *s) {
 
 void lam_step_end(lam_step_writer *s) { lam_text_add(s->out, ";\n"); }
 
+/* For entities that depend on no number of the model. */
 int lam_step_plain(lam_step_writer *s, const char *entity) {
   int number = lam_step_begin(s);
   lam_text_add(s->out, entity);
@@ -14,11 +17,13 @@ int lam_step_plain(lam_step_writer *s, const char *entity) {
   return number;
 }
 
+/* A number, with a comma before it unless it is the first. */
 static void add_real(lam_step_writer *s, double value, bool first) {
   if (!first) lam_text_add(s->out, ",");
   lam_text_real(s->out, value);
 }
 
+/* Millimeters. */
 int lam_step_point(lam_step_writer *s, lam_vec3 p) {
   int number = lam_step_begin(s);
   lam_text_add(s->out, "CARTESIAN_POINT('',(");
@@ -30,6 +35,7 @@ int lam_step_point(lam_step_writer *s, lam_vec3 p) {
   return number;
 }
 
+/* Also for rows and columns of a control net, by their stride. */
 void lam_step_references(lam_step_writer *s, const int *numbers, int count, int stride) {
   lam_text_add(s->out, "(");
   for (int i = 0; i < count; i++)
@@ -37,6 +43,7 @@ void lam_step_references(lam_step_writer *s, const int *numbers, int count, int 
   lam_text_add(s->out, ")");
 }
 
+/* How often each distinct knot stands; count knots in all. */
 static void add_multiplicities(lam_step_writer *s, const double *knots, int count) {
   lam_text_add(s->out, "(");
   for (int i = 0, n = 1; i < count; i++, n++)
@@ -47,6 +54,7 @@ static void add_multiplicities(lam_step_writer *s, const double *knots, int coun
   lam_text_add(s->out, ")");
 }
 
+/* The distinct knots. */
 static void add_distinct(lam_step_writer *s, const double *knots, int count) {
   lam_text_add(s->out, "(");
   for (int i = 0; i < count; i++)
@@ -54,6 +62,7 @@ static void add_distinct(lam_step_writer *s, const double *knots, int count) {
   lam_text_add(s->out, ")");
 }
 
+/* Every stride-th of the weights, count of them. */
 static void add_weights(lam_step_writer *s, const double *weights, int count, int stride) {
   lam_text_add(s->out, "(");
   for (int i = 0; i < count; i++) add_real(s, weights[i * stride], i == 0);
@@ -71,6 +80,8 @@ static unsigned long next_code_point(const char **at) {
   return code;
 }
 
+/* Letters outside ASCII as ISO 10303-21 has them: \X2\ and four hexadecimal digits, or \X4\ and
+ * eight, ended by \X0\. Control characters are dropped. */
 void lam_step_quoted(lam_step_writer *s, const char *string) {
   lam_text *out = s->out;
   lam_text_add(out, "'");
@@ -87,6 +98,8 @@ void lam_step_quoted(lam_step_writer *s, const char *string) {
 
 /* ---- curves ---- */
 
+/* A polynomial curve is a simple instance, B_SPLINE_CURVE_WITH_KNOTS; a rational one is a complex
+ * instance, with the same parts as records in alphabetical order. */
 int lam_step_curve(lam_step_writer *s, const char *name, const lam_spline_side *c,
                    const int *points) {
   int number = lam_step_begin(s), knots = c->count + c->degree + 1;
@@ -96,6 +109,7 @@ int lam_step_curve(lam_step_writer *s, const char *name, const lam_spline_side *
     lam_step_quoted(s, name);
     lam_text_add(s->out, ",");
   }
+
   lam_text_printf(s->out, "%d,", c->degree);
   lam_step_references(s, points + c->first, c->count, c->stride);
   lam_text_add(s->out, ",.UNSPECIFIED.,.F.,.F.");
@@ -104,6 +118,7 @@ int lam_step_curve(lam_step_writer *s, const char *name, const lam_spline_side *
   lam_text_add(s->out, ",");
   add_distinct(s, c->knots, knots);
   lam_text_add(s->out, ",.UNSPECIFIED.)");
+
   if (c->weights) {
     lam_text_add(s->out, "CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(");
     add_weights(s, c->weights + c->first, c->count, c->stride);
@@ -117,18 +132,21 @@ int lam_step_curve(lam_step_writer *s, const char *name, const lam_spline_side *
 
 /* ---- surfaces ---- */
 
+/* Simple or complex as a curve. Rows of control points, v running fastest in each. */
 int lam_step_surface(lam_step_writer *s, const lam_spline_surface *b, const int *points) {
   int number = lam_step_begin(s);
   if (b->weights) lam_text_add(s->out, "(BOUNDED_SURFACE()");
   lam_text_printf(
       s->out, b->weights ? "B_SPLINE_SURFACE(%d,%d,(" : "B_SPLINE_SURFACE_WITH_KNOTS('',%d,%d,(",
       b->degree[0], b->degree[1]);
+
   for (int i = 0; i < b->count[0]; i++) {
     if (i) lam_text_add(s->out, ",");
     lam_step_references(s, points + i * b->count[1], b->count[1], 1);
   }
   lam_text_add(s->out, "),.UNSPECIFIED.,.F.,.F.,.F.");
   lam_text_add(s->out, b->weights ? ")B_SPLINE_SURFACE_WITH_KNOTS(" : ",");
+
   for (int d = 0; d < 2; d++) {
     add_multiplicities(s, b->knots[d], b->count[d] + b->degree[d] + 1);
     lam_text_add(s->out, ",");
@@ -138,6 +156,7 @@ int lam_step_surface(lam_step_writer *s, const lam_spline_surface *b, const int 
     lam_text_add(s->out, ",");
   }
   lam_text_add(s->out, ".UNSPECIFIED.)");
+
   if (b->weights) {
     lam_text_add(s->out, "GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE((");
     for (int i = 0; i < b->count[0]; i++) {

@@ -1,25 +1,25 @@
-/* The nodes: where lamellas of the two families cross. */
+/* The nodes (nodes.csv; listed in formats/list/formats.c): where lamellas of the two families
+ * cross. */
 #include "core/numbers.h"
 #include "formats/format.h"
 #include "formats/tables/csv.h"
 
-static void header(lam_text *out) {
-  static const char *const names[] = {
-      "node",      "x_mm",           "y_mm",    "z_mm",       "normal_x", "normal_y",  "normal_z",
-      "angle_deg", "flat_angle_deg", "a_parts", "a_along_mm", "b_parts",  "b_along_mm"};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) lam_csv_text(out, names[i]);
-  lam_csv_end_row(out);
-}
+static const char *const columns[] = {
+    "node",      "x_mm",           "y_mm",    "z_mm",       "normal_x", "normal_y",  "normal_z",
+    "angle_deg", "flat_angle_deg", "a_parts", "a_along_mm", "b_parts",  "b_along_mm"};
 
+/* A node, numbered from 1; the flat angle is empty where it was not computed. */
 static void row(lam_text *out, const lam_model *model, int index) {
   const lam_crossing *node = &model->crossings[index];
   const double position[] = {node->position.x, node->position.y, node->position.z};
   const double normal[] = {node->normal.x, node->normal.y, node->normal.z};
+
   lam_csv_integer(out, index + 1);
   for (int i = 0; i < 3; i++) lam_csv_number(out, position[i] * 1e3, 3);
   for (int i = 0; i < 3; i++) lam_csv_number(out, normal[i], 7);
   lam_csv_number(out, node->angle / LAM_DEGREE, 6);
   lam_csv_number(out, node->flat_angle / LAM_DEGREE, 6);
+
   for (int f = 0; f < 2; f++) {
     lam_csv_sheets(out, model, node->parts[f]);
     lam_csv_number(out, node->along[f] * 1e3, 3);
@@ -33,9 +33,10 @@ static void path_of(const lam_model *model, int i, lam_text *path) {
   lam_text_add(path, "nodes.csv");
 }
 
+/* In the order of the model, from 1 on. */
 static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   (void)i;
-  header(out);
+  lam_csv_header(out, columns, sizeof columns / sizeof *columns);
   for (int n = 0; n < model->crossing_count; n++) row(out, model, n);
   return LAM_OK;
 }
@@ -43,8 +44,7 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_nodes = {
     .name = "nodes",
     .doc = "Nodes as CSV: position, normal, crossing angle as built and in the flat grid, the "
-           "parts that cross and where "
-           "along them, from their start.",
+           "parts that cross and where along them, from their start.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

@@ -1,71 +1,53 @@
-/* lamella bench: how fast the solver is. Times are the least of several runs, or ratios measured in
- * one run. */
+/* How fast the library is: the sections of `lamella bench` one after the other. Times are the least of
+ * several runs, or ratios measured in one run. Called through lamella/bench.h. */
 #include "bench/bench.h"
-#include "cli/complain.h"
-#include "cli/verb_run.h"
-#include "cli/verbs.h"
+#include "library/names.h"
+#include "library/session_state.h"
+#include "solve/kernels.h"
+#include <lamella/bench.h>
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-static const char usage[] =
-    "usage: lamella bench [--json] [--net KIND] [--most VERTICES] [FOLDER]\n"
-    "  --json           an array of results instead of tables\n"
-    "  --net KIND       this kind of net alone\n"
-    "  --most VERTICES  no nets that are larger (default: 41000)\n"
-    "  FOLDER           has bench_wavy_69x70.obj and bench_torus_69x70.obj (default: "
-    "tests/cases/nets)";
-
-static bool read_options(lam_bench *bench, int argc, char **argv, bool *json) {
-  for (int i = 1; i < argc; i++) {
-    const char *value = i + 1 < argc ? argv[i + 1] : NULL;
-    char *end;
-    if (strcmp(argv[i], "--json") == 0) {
-      *json = true;
-    } else if (strcmp(argv[i], "--net") == 0 && value) {
-      if (!lam_registry_find(&lam_nets, value)) {
-        lam_complain_plain(2, "bench: there is no net called %s; lamella list nets shows them",
-                           value);
-        return false;
-      }
-      bench->only = argv[++i];
-    } else if (strcmp(argv[i], "--most") == 0 && value) {
-      bench->most = (int)strtol(argv[++i], &end, 10);
-      if (*end || bench->most < 1) {
-        lam_complain_plain(2, "bench: --most %s; expected a number of vertices", value);
-        return false;
-      }
-    } else if (argv[i][0] != '-' && i == argc - 1) {
-      bench->folder = argv[i];
-    } else {
-      lam_complain_plain(2, "bench: %s is not expected here\n%s", argv[i], usage);
+/* Tables as they come, or results for one array. False with errors. */
+static bool run_sections(lam_bench *bench) {
+  if (!bench->json)
+    fprintf(bench->out, "dense kernels: %s%s%s\n", lam_blas_kernel(), lam_blas_advice() ? "; " : "",
+            lam_blas_advice() ? lam_blas_advice() : "");
+  if (!bench->only) {
+    if (!lam_bench_factor(bench) || !lam_bench_surfaces(bench) || !lam_bench_quads(bench))
       return false;
-    }
+    lam_bench_developable(bench);
   }
-  return true;
+  return lam_bench_thesis(bench) && lam_bench_sizes(bench);
 }
 
-static int bench(lam_arena *arena, int argc, char **argv) {
-  lam_errors errors = {.arena = arena};
-  lam_bench b = {.arena = arena, .errors = &errors, .folder = "tests/cases/nets", .most = 41000};
-  bool json = false;
-  if (argc == 2 && strcmp(argv[1], "--help") == 0) return puts(usage) < 0;
-  if (!read_options(&b, argc, argv, &json)) return 2;
-  if (json)
-    b.json = json_array();
-  else
-    printf("dense kernels: %s%s%s\n", lam_blas_kernel(), lam_blas_advice() ? "; " : "",
-           lam_blas_advice() ? lam_blas_advice() : "");
-  bool done = b.only || (lam_bench_factor(&b) && lam_bench_surfaces(&b) && lam_bench_quads(&b));
-  if (done && !b.only) lam_bench_developable(&b);
-  done = done && lam_bench_thesis(&b) && lam_bench_sizes(&b);
-  if (json && done) {
-    json_dumpf(b.json, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(6));
-    puts("");
-  }
-  json_decref(b.json);
-  return done ? 0 : lam_complain(&errors);
+static bool is_net(lam_session *session, const char *name) {
+  const char **names = LAM_NEW(session->arena, const char *, lam_nets.count + 1);
+  for (int i = 0; i < lam_nets.count; i++) names[i] = lam_nets.rows[i]->name;
+  return lam_name_known(&session->errors, names, name, "there is no net called",
+                        "lamella list nets shows them");
 }
 
-int lam_verb_bench(int argc, char **argv) { return lam_verb_run(bench, argc, argv); }
+static void release(void *handle) { json_decref(handle); }
+
+static lam_status run(lam_session *session, const lam_bench_options *options, FILE *out) {
+  enum { usual = 41000 };
+  lam_bench bench = {.arena = session->arena,
+                     .errors = &session->errors,
+                     .folder = options->folder,
+                     .only = options->net,
+                     .most = options->most ? options->most : usual,
+                     .json = options->json ? json_array() : NULL,
+                     .out = out};
+  if (bench.json) lam_arena_defer(session->arena, release, bench.json);
+  if (bench.only && !is_net(session, bench.only)) return LAM_OK;
+
+  if (run_sections(&bench) && bench.json) {
+    json_dumpf(bench.json, out, JSON_INDENT(1) | JSON_REAL_PRECISION(6));
+    fputc('\n', out);
+  }
+  return LAM_OK;
+}
+
+lam_status lam_bench_run(lam_session *session, const lam_bench_options *options, FILE *out) {
+  LAM_ENTER(session);
+  return lam_session_leave(session, run(session, options, out));
+}

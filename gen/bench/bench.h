@@ -5,6 +5,7 @@
 #include "net/optimize.h"
 
 #include <jansson.h>
+#include <stdio.h>
 
 /* A start from which a kind of net is known to converge: the mesh of a surface with some noise. */
 typedef struct lam_bench_start {
@@ -24,7 +25,8 @@ typedef struct lam_bench {
   const char *folder; /* of the meshes */
   const char *only;   /* a kind of net, or NULL: all */
   int most;           /* vertices */
-  json_t *json;       /* the array that results go to instead of the screen, or NULL */
+  json_t *json;       /* the array that results go to, or NULL: tables are written */
+  FILE *out;          /* for tables */
 } lam_bench;
 
 /* What is solved. */
@@ -56,7 +58,7 @@ typedef struct lam_bench_result {
 /* The net of a case before it is solved. False with errors. */
 bool lam_bench_net(lam_bench *bench, const lam_bench_case *what, lam_net_job *job, lam_net *net);
 /* Solves a case. False with errors. */
-bool lam_bench_run(lam_bench *bench, const lam_bench_case *what, lam_bench_result *result);
+bool lam_bench_run_case(lam_bench *bench, const lam_bench_case *what, lam_bench_result *result);
 json_t *lam_bench_json(const char *section, const lam_bench_case *what,
                        const lam_bench_result *result);
 /* Seconds that this thread has computed. */

@@ -74,15 +74,17 @@ static void run(lam_bench *bench, const boundary_case *c, lam_developable_method
                                     "evaluations", r.evaluations, "seconds", least, "norm", l2,
                                     "converged", r.converged));
   else
-    printf("%-26s %-24s %5d %6d %9.2f  %.10g%s\n", c->name, name, r.iterations, r.evaluations,
-           least * 1e3, l2, r.converged ? "" : "  not converged");
+    fprintf(bench->out, "%-26s %-24s %5d %6d %9.2f  %.10g%s\n", c->name, name, r.iterations,
+            r.evaluations, least * 1e3, l2, r.converged ? "" : "  not converged");
 }
 
 void lam_bench_developable(lam_bench *bench) {
   if (!bench->json)
-    printf("\nnearly developable surfaces   method                   steps  tried        ms  ||K|| "
-           "(40 x 40 Gauss "
-           "points)\n");
+    fprintf(
+        bench->out,
+        "\nnearly developable surfaces   method                   steps  tried        ms  ||K|| "
+        "(40 x 40 Gauss "
+        "points)\n");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     run(bench, &cases[i], LAM_DEVELOPABLE_NEWTON, 32, "newton, 32 x 32");
     run(bench, &cases[i], LAM_DEVELOPABLE_NEWTON, 16, "newton, 16 x 16");

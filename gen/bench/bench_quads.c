@@ -23,9 +23,10 @@ static const lam_quad_corners roof = {
 bool lam_bench_quads(lam_bench *bench) {
   static const lam_quad_form forms[] = {LAM_QUAD_BI7, LAM_QUAD_BI11, LAM_QUAD_BI13};
   if (!bench->json)
-    printf("\nasymptotic patch, from corner data to control points: |normal curvature| of the "
-           "sides over their "
-           "curvature\n");
+    fprintf(bench->out,
+            "\nasymptotic patch, from corner data to control points: |normal curvature| of the "
+            "sides over their "
+            "curvature\n");
   for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
     lam_arena_mark mark = lam_arena_mark_get(bench->arena);
     lam_asymptotic_patch patch;
@@ -45,8 +46,8 @@ bool lam_bench_quads(lam_bench *bench) {
                                                    "asymptotic", "form", name, "residual", ratio,
                                                    "energy", patch.energy, "total", fastest));
     else
-      printf("asymptotic patch, %-6s %2d x %2d points %8.2f ms  %.1e\n", name,
-             patch.surface.count[0], patch.surface.count[1], fastest * 1e3, ratio);
+      fprintf(bench->out, "asymptotic patch, %-6s %2d x %2d points %8.2f ms  %.1e\n", name,
+              patch.surface.count[0], patch.surface.count[1], fastest * 1e3, ratio);
     lam_arena_release(bench->arena, mark);
   }
   return true;

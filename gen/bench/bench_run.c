@@ -1,7 +1,7 @@
 #include "bench/bench.h"
 #include "core/solid/triangles.h"
 #include "design/design.h"
-#include "library/mesh_files.h"
+#include "library/read_files.h"
 #include "net/trace/start.h"
 
 #include <malloc.h>
@@ -88,10 +88,10 @@ bool lam_bench_net(lam_bench *bench, const lam_bench_case *what, lam_net_job *jo
                     : "from: {file: x.obj}";
   text = lam_arena_printf(bench->arena, "%snet: {kind: %s%s%s, %s, solver: %s}\n", text, what->kind,
                           separator, what->keys, from, what->solver);
+  lam_design_text source = {.bytes = text, .count = strlen(text), .path = "bench"};
   lam_design design;
   lam_mesh mesh;
-  if (!lam_design_parse(bench->arena, text, strlen(text), "bench", NULL, 0, bench->errors,
-                        &design) ||
+  if (!lam_design_parse(bench->arena, &source, bench->errors, &design) ||
       !start_mesh(bench, what, &design, &mesh) ||
       !lam_net_build(bench->arena, &mesh, (lam_location){0}, bench->errors, net))
     return false;
@@ -114,7 +114,7 @@ static bool run_once(lam_bench *bench, const lam_bench_case *what, lam_bench_res
   return true;
 }
 
-bool lam_bench_run(lam_bench *bench, const lam_bench_case *what, lam_bench_result *result) {
+bool lam_bench_run_case(lam_bench *bench, const lam_bench_case *what, lam_bench_result *result) {
   *result = (lam_bench_result){.total = INFINITY, .step = INFINITY, .measure = NAN};
   bool done = true;
   reset_peak_memory();

@@ -14,7 +14,7 @@ static void grid_of(int vertices, double aspect, int grid[2]) {
   grid[1] = 4 * (int)lround((vertices / n - 1) / 4);
 }
 
-static void print_row(const lam_bench_case *what, const lam_bench_result *r,
+static void print_row(const lam_bench *bench, const lam_bench_case *what, const lam_bench_result *r,
                       const lam_bench_result *smaller) {
   char growth[16] = "";
   if (smaller)
@@ -22,11 +22,12 @@ static void print_row(const lam_bench_case *what, const lam_bench_result *r,
              log(r->step / smaller->step) / log((double)r->vertices / smaller->vertices));
   char memory[16] = "-";
   if (isfinite(r->memory)) snprintf(memory, sizeof memory, "%.0f", r->memory / 1048576);
-  printf("  %-18s %8d %9d %5d %5d %9.2f %8.2f %8.2f %7.2f %9.1f %7s %6s %7.3f %9.1e  %s\n",
-         what->kind, r->vertices, r->unknowns, r->iterations, r->factorizations, r->step * 1e3,
-         r->assembly * 1e3, r->factor * 1e3, r->solve * 1e3, r->total * 1e3, memory, growth,
-         r->shortest_edge, r->measure, r->converged ? "" : r->reason);
-  fflush(stdout);
+  fprintf(bench->out,
+          "  %-18s %8d %9d %5d %5d %9.2f %8.2f %8.2f %7.2f %9.1f %7s %6s %7.3f %9.1e  %s\n",
+          what->kind, r->vertices, r->unknowns, r->iterations, r->factorizations, r->step * 1e3,
+          r->assembly * 1e3, r->factor * 1e3, r->solve * 1e3, r->total * 1e3, memory, growth,
+          r->shortest_edge, r->measure, r->converged ? "" : r->reason);
+  fflush(bench->out);
 }
 
 static bool run_start(lam_bench *bench, const lam_bench_start *start) {
@@ -41,11 +42,11 @@ static bool run_start(lam_bench *bench, const lam_bench_start *start) {
                            .repeats = sizes[i] < 10000 ? 3 : 1};
     grid_of(sizes[i], start->aspect, what.grid);
     lam_bench_result result;
-    if (!lam_bench_run(bench, &what, &result)) return false;
+    if (!lam_bench_run_case(bench, &what, &result)) return false;
     if (bench->json)
       json_array_append_new(bench->json, lam_bench_json("sizes", &what, &result));
     else
-      print_row(&what, &result, i ? &before : NULL);
+      print_row(bench, &what, &result, i ? &before : NULL);
     before = result;
   }
   return true;
@@ -59,14 +60,15 @@ static const lam_bench_start *start_of(const char *kind) {
 
 bool lam_bench_sizes(lam_bench *bench) {
   if (!bench->json)
-    printf("every net, to a residual of 1e-8; its: also those on coarser nets; tried: steps with "
-           "those that were "
-           "rejected; processor time, the least of "
-           "three "
-           "runs (one above 10,000 vertices)\n"
-           "  %-18s %8s %9s %5s %5s %9s %8s %8s %7s %9s %7s %6s %7s %9s\n",
-           "net", "vertices", "unknowns", "its", "tried", "ms/step", "assemble", "factor", "solve",
-           "in all", "MB peak", "growth", "s. edge", "measure");
+    fprintf(bench->out,
+            "every net, to a residual of 1e-8; its: also those on coarser nets; tried: steps with "
+            "those that were "
+            "rejected; processor time, the least of "
+            "three "
+            "runs (one above 10,000 vertices)\n"
+            "  %-18s %8s %9s %5s %5s %9s %8s %8s %7s %9s %7s %6s %7s %9s\n",
+            "net", "vertices", "unknowns", "its", "tried", "ms/step", "assemble", "factor", "solve",
+            "in all", "MB peak", "growth", "s. edge", "measure");
   bool done = true;
   const char *without = "";
   for (int i = 0; done && i < lam_nets.count; i++) {
@@ -78,6 +80,6 @@ bool lam_bench_sizes(lam_bench *bench) {
     else
       without = lam_arena_printf(bench->arena, "%s%s%s", without, *without ? ", " : "", kind);
   }
-  if (!bench->json && *without) printf("  no start in the table for: %s\n", without);
+  if (!bench->json && *without) fprintf(bench->out, "  no start in the table for: %s\n", without);
   return done;
 }

@@ -78,15 +78,16 @@ static void show(lam_bench *bench, const char *name, const char *method,
                                "boundary", name, "method", method, "iterations", result->iterations,
                                "reached", result->converged, "excess", excess, "total", seconds));
   else
-    printf("%-10s  %-15s %6d steps  %8.3f s  excess %.1e%s\n", name, method, result->iterations,
-           seconds, excess, result->converged ? "" : "  (not reached)");
+    fprintf(bench->out, "%-10s  %-15s %6d steps  %8.3f s  excess %.1e%s\n", name, method,
+            result->iterations, seconds, excess, result->converged ? "" : "  (not reached)");
 }
 
 bool lam_bench_surfaces(lam_bench *bench) {
   static const char *const methods[] = {"Newton", "I-functional", "L-BFGS", "coarse to fine"};
   if (!bench->json)
-    printf("\nleast area on %d x %d spans, to 1e-6 above the least area, from the same start\n",
-           SPANS, SPANS);
+    fprintf(bench->out,
+            "\nleast area on %d x %d spans, to 1e-6 above the least area, from the same start\n",
+            SPANS, SPANS);
   for (size_t b = 0; b < sizeof boundaries / sizeof *boundaries; b++)
     for (int m = 0; m < 4; m++) {
       lam_arena_mark mark = lam_arena_mark_get(bench->arena);

@@ -32,11 +32,12 @@ enum { solver_count = sizeof solvers / sizeof *solvers };
 
 bool lam_bench_thesis(lam_bench *bench) {
   if (!bench->json)
-    printf("two methods: vertices as unknowns with damped steps, and auxiliary unknowns with full "
-           "steps (thesis 3.7)\n"
-           "  %-18s %-17s %8s %9s %5s %9s %6s %9s %8s %9s %9s %7s\n",
-           "net", "method", "vertices", "unknowns", "its", "ms/step", "times", "in all", "Gflop",
-           "residual", "measure", "s. edge");
+    fprintf(bench->out,
+            "two methods: vertices as unknowns with damped steps, and auxiliary unknowns with full "
+            "steps (thesis 3.7)\n"
+            "  %-18s %-17s %8s %9s %5s %9s %6s %9s %8s %9s %9s %7s\n",
+            "net", "method", "vertices", "unknowns", "its", "ms/step", "times", "in all", "Gflop",
+            "residual", "measure", "s. edge");
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     if (!lam_registry_find(&lam_nets, cases[i].kind) ||
         (bench->only && strcmp(bench->only, cases[i].kind) != 0))
@@ -47,17 +48,18 @@ bool lam_bench_thesis(lam_bench *bench) {
       what.solver = solvers[k];
       what.repeats = k == 0 ? 3 : 1;
       lam_bench_result r;
-      if (!lam_bench_run(bench, &what, &r)) return false;
+      if (!lam_bench_run_case(bench, &what, &r)) return false;
       if (k == 0) ours = r.step;
       if (bench->json) {
         json_array_append_new(bench->json, lam_bench_json("thesis", &what, &r));
         continue;
       }
-      printf("  %-18s %-17s %8d %9d %5d %9.2f %6.1f %9.1f %8.2f %9.1e %9.1e %7.3f  %s\n", what.kind,
-             names[k], r.vertices, r.unknowns, r.iterations, r.step * 1e3, r.step / ours,
-             r.total * 1e3, r.flops * 1e-9, r.residual, r.measure, r.shortest_edge,
-             r.converged ? "" : r.reason);
-      fflush(stdout);
+      fprintf(bench->out,
+              "  %-18s %-17s %8d %9d %5d %9.2f %6.1f %9.1f %8.2f %9.1e %9.1e %7.3f  %s\n",
+              what.kind, names[k], r.vertices, r.unknowns, r.iterations, r.step * 1e3,
+              r.step / ours, r.total * 1e3, r.flops * 1e-9, r.residual, r.measure, r.shortest_edge,
+              r.converged ? "" : r.reason);
+      fflush(bench->out);
     }
   }
   return true;

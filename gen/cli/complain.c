@@ -1,3 +1,4 @@
+/* Printing messages. Called by all verbs. */
 #include "cli/complain.h"
 
 #include <stdarg.h>
@@ -5,22 +6,23 @@
 #include <stdio.h>
 #include <string.h>
 
-/* True when a place such as "--set net.grid" says the key already. */
+/* True when a location such as "--set net.grid" says the key already. */
 static bool names_key(const char *file, const char *key) {
   size_t length = strlen(file), ending = strlen(key);
   return length > ending && file[length - ending - 1] == ' ' &&
          strcmp(file + length - ending, key) == 0;
 }
 
-int lam_complain(const lam_errors *errors) {
-  for (const lam_error *error = errors->first; error; error = error->next) {
-    const char *file = error->location.file;
-    if (file) fprintf(stderr, "%s:", file);
-    if (error->location.line > 0) fprintf(stderr, "%d:", error->location.line);
-    if (error->location.line > 0 && error->location.column > 0)
-      fprintf(stderr, "%d:", error->location.column);
-    if (file || error->location.line > 0) fputc(' ', stderr);
-    if (error->key && !(file && names_key(file, error->key))) fprintf(stderr, "%s: ", error->key);
+int lam_complain(const lam_session *session) {
+  for (const lam_error *error = lam_session_messages(session); error; error = error->next) {
+    const lam_location *at = &error->location;
+    if (at->file) fprintf(stderr, "%s:", at->file);
+    if (at->line > 0) fprintf(stderr, "%d:", at->line);
+    if (at->line > 0 && at->column > 0) fprintf(stderr, "%d:", at->column);
+    if (at->file || at->line > 0) fputc(' ', stderr);
+
+    bool known = at->file && error->key && names_key(at->file, error->key);
+    if (error->key && !known) fprintf(stderr, "%s: ", error->key);
     fprintf(stderr, "%s\n", error->text);
   }
   return 2;
@@ -33,5 +35,12 @@ int lam_complain_plain(int status, const char *format, ...) {
   vfprintf(stderr, format, arguments);
   va_end(arguments);
   fputc('\n', stderr);
+  return status;
+}
+
+int lam_complain_verb(int status, const char *verb, const lam_session *session, const char *after) {
+  for (const lam_error *error = lam_session_messages(session); error; error = error->next)
+    fprintf(stderr, "lamella: %s: %s\n", verb, error->text);
+  if (after) fprintf(stderr, "%s\n", after);
   return status;
 }

@@ -1,8 +1,7 @@
 /* The program: finds the verb and hands it its arguments. */
 #include "cli/complain.h"
 #include "cli/verbs.h"
-#include "core/error.h"
-#include "solve/factor.h"
+#include <lamella/lamella.h>
 
 #include <locale.h>
 #include <stdio.h>
@@ -50,24 +49,13 @@ static int help(FILE *out) {
 
 static int version(void) {
   printf("lamella %s\nlinear algebra: CHOLMOD on OpenBLAS, %s kernels\n", LAM_VERSION,
-         lam_blas_kernel());
-  if (lam_blas_advice()) printf("note: %s\n", lam_blas_advice());
+         lam_kernels());
+  if (lam_kernels_advice()) printf("note: %s\n", lam_kernels_advice());
   return 0;
 }
 
-/* A BLAS that does not recognize the processor falls back to kernels of half the speed. The choice
- * is made when the library loads, so the program starts itself again with a better one; once, and
- * never against the user's own setting.
- */
-static void choose_blas(char **argv) {
-  const char *better = lam_blas_better_kernel();
-  if (!better || getenv("OPENBLAS_CORETYPE")) return;
-  setenv("OPENBLAS_CORETYPE", better, 1);
-  execv("/proc/self/exe", argv);
-}
-
 int main(int argc, char **argv) {
-  choose_blas(argv);
+  lam_kernels_restart(argv);
   setlocale(LC_ALL, "C");
   if (argc < 2) {
     help(stderr);
@@ -78,6 +66,7 @@ int main(int argc, char **argv) {
   if (strcmp(argv[1], "--version") == 0) return version();
   for (int i = 0; i < verb_count; i++)
     if (strcmp(argv[1], verbs[i].name) == 0) return verbs[i].run(argc - 1, argv + 1);
+
   const char *names[verb_count + 1];
   for (int i = 0; i < verb_count; i++) names[i] = verbs[i].name;
   names[verb_count] = NULL;

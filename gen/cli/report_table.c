@@ -24,7 +24,7 @@ void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
   }
 }
 
-void lam_report_print(const lam_report *report, FILE *out) {
+void lam_report_print(const lam_report *report, bool timings, FILE *out) {
   for (int i = 0; i < report->stage_count; i++) {
     const lam_stage *stage = &report->stages[i];
     fprintf(out, "%s", stage->name);
@@ -34,7 +34,7 @@ void lam_report_print(const lam_report *report, FILE *out) {
               stage->residual);
     else if (!stage->converged)
       fprintf(out, ": FAILED: %s", stage->reason);
-    if (stage->seconds > 0) fprintf(out, " (%.2f s)", stage->seconds);
+    if (timings && stage->seconds > 0) fprintf(out, " (%.2f s)", stage->seconds);
     fputc('\n', out);
     lam_measures_print(stage->measures, stage->measure_count, out);
     for (int k = 0; k < stage->note_count; k++) fprintf(out, "  %s\n", stage->notes[k]);

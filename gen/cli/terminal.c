@@ -6,11 +6,6 @@
 
 enum { bar_width = 20, refresh_ms = 80 };
 
-typedef struct terminal {
-  const char *stage;
-  double told;
-} terminal;
-
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
@@ -18,7 +13,7 @@ static double now(void) {
 }
 
 static void tell(void *context, const char *stage, double fraction, const char *detail) {
-  terminal *t = context;
+  lam_terminal *t = context;
   if (!stage) {
     fputs("\r\033[K", stderr);
     return;
@@ -34,7 +29,12 @@ static void tell(void *context, const char *stage, double fraction, const char *
   fprintf(stderr, "\r\033[K%-16s [%s] %s", stage, bar, detail ? detail : "");
 }
 
-lam_progress lam_terminal_progress(lam_arena *arena, bool quiet) {
+lam_progress lam_terminal_progress(lam_terminal *terminal, bool quiet) {
+  *terminal = (lam_terminal){0};
   if (quiet || !isatty(STDERR_FILENO)) return (lam_progress){0};
-  return (lam_progress){tell, LAM_NEW(arena, terminal, 1)};
+  return (lam_progress){tell, terminal};
+}
+
+void lam_terminal_clear(const lam_progress *progress) {
+  if (progress->tell) progress->tell(progress->context, NULL, 1, "");
 }

@@ -3,11 +3,18 @@
 #ifndef LAM_CLI_TERMINAL_H
 #define LAM_CLI_TERMINAL_H
 
-#include "core/arena.h"
-#include "core/progress.h"
-#include <stdbool.h>
+#include <lamella/types.h>
 
-/* Telling the stage NULL clears the line. */
-lam_progress lam_terminal_progress(lam_arena *arena, bool quiet);
+/* What was told last. */
+typedef struct lam_terminal {
+  const char *stage;
+  double told; /* seconds */
+} lam_terminal;
+
+/* A progress that writes into terminal, which outlives it; nobody is told when quiet, or when stderr
+ * is no terminal. */
+lam_progress lam_terminal_progress(lam_terminal *terminal, bool quiet);
+/* Clears the line. */
+void lam_terminal_clear(const lam_progress *progress);
 
 #endif

@@ -1,10 +1,13 @@
-#include "cli/mesh_input.h"
+/* lamella inspect FILE: whether a triangle mesh is a valid solid, and its measures. */
+#include "cli/arguments.h"
+#include "cli/solid_facts.h"
+#include "cli/verb_run.h"
 #include "cli/verbs.h"
 
-#include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 
-static const char help[] =
+static const char usage[] =
     "usage: lamella inspect FILE.stl|FILE.obj [--json]\n"
     "\n"
     "Says whether a triangle mesh is a valid solid, and measures it. STL files are read in "
@@ -15,7 +18,7 @@ static const char help[] =
     "zx, density 1)\n"
     "  --help   this text\n"
     "\n"
-    "exit code: 0 a valid solid; 1 open, not oriented or self-intersecting; 2 bad input\n";
+    "exit code: 0 a valid solid; 1 open, not oriented or self-intersecting; 2 bad input";
 
 static void print_point(const char *name, lam_vec3 p, double scale, const char *unit) {
   printf("%-20s %.6g %.6g %.6g %s\n", name, p.x * scale, p.y * scale, p.z * scale, unit);
@@ -23,7 +26,8 @@ static void print_point(const char *name, lam_vec3 p, double scale, const char *
 
 /* Lengths in millimeters for what is smaller than a meter, else in meters. */
 static void print_facts(const lam_solid_facts *f) {
-  bool small = lam_distance(f->min, f->max) < 1;
+  lam_vec3 size = {f->max.x - f->min.x, f->max.y - f->min.y, f->max.z - f->min.z};
+  bool small = sqrt(size.x * size.x + size.y * size.y + size.z * size.z) < 1;
   const char *unit = small ? "mm" : "m";
   double s = small ? 1000 : 1;
   printf("%-20s %d\n%-20s %d\n", "triangles", f->triangles, "vertices", f->vertices);
@@ -47,24 +51,32 @@ static void print_facts(const lam_solid_facts *f) {
          inertia[5] * s5, unit);
   print_point("bounding box, from", f->min, s, unit);
   print_point("bounding box, to", f->max, s, unit);
-  print_point("size", lam_sub(f->max, f->min), s, unit);
+  print_point("size", size, s, unit);
 }
 
-static int inspect(lam_arena *arena, const char *path, bool json) {
-  lam_errors errors = {.arena = arena};
-  lam_trimesh mesh;
+static void print_json(const char *path, const lam_solid_facts *facts, bool valid) {
+  json_t *object = json_pack("{s:s,s:b}", "file", path, "valid", valid);
+  json_t *measured = lam_facts_json(facts);
+  json_object_update(object, measured);
+  json_decref(measured);
+  lam_json_print(object);
+}
+
+static int inspect(lam_session *session, int argc, char **argv) {
+  const char *path;
+  bool json = false;
+  const lam_option table[] = {{"--json", .flag = &json}, {NULL}};
+  lam_arguments arguments = {usage, table, 1, 1, "a mesh file"};
+  int count, status = lam_arguments_read(&arguments, argc, argv, &path, &count);
+  if (status >= 0) return status;
+
   lam_solid_facts facts;
-  if (!lam_mesh_input(arena, path, true, &errors, &mesh, &facts)) {
-    lam_verb_errors("inspect", &errors);
-    return 2;
-  }
+  lam_status inspected = lam_inspect(session, path, true, &facts);
+  if (inspected != LAM_OK) return lam_verb_status(session, inspected);
+
   bool valid = facts.closed && facts.oriented && facts.self_intersections == 0;
   if (json) {
-    json_t *object = json_pack("{s:s,s:b}", "file", path, "valid", valid);
-    json_t *measured = lam_facts_json(&facts);
-    json_object_update(object, measured);
-    json_decref(measured);
-    lam_json_print(object);
+    print_json(path, &facts, valid);
   } else {
     print_facts(&facts);
     printf("%-20s %s\n", "valid solid", valid ? "yes" : "no");
@@ -72,26 +84,4 @@ static int inspect(lam_arena *arena, const char *path, bool json) {
   return valid ? 0 : 1;
 }
 
-/* Above every character, so that getopt_long's optopt tells short options from long ones. */
-enum { option_json = 256, option_help };
-
-int lam_verb_inspect(int argc, char **argv) {
-  static const struct option options[] = {{"json", no_argument, NULL, option_json},
-                                          {"help", no_argument, NULL, option_help},
-                                          {NULL, 0, NULL, 0}};
-  bool json = false;
-  opterr = optind = 0;
-  for (int result; (result = getopt_long(argc, argv, ":", options, NULL)) != -1;) {
-    if (result == option_help) return fputs(help, stdout) < 0 ? 2 : 0;
-    if (result != option_json) return lam_verb_option_error(argv, result);
-    json = true;
-  }
-  if (argc - optind != 1)
-    return lam_verb_error(argv[0], "%d files given, 1 expected (see --help)", argc - optind);
-  lam_arena *arena = lam_arena_new();
-  if (!arena) return lam_verb_error(argv[0], "out of memory");
-  int code = LAM_ARENA_TRY(arena) ? inspect(arena, argv[optind], json)
-                                  : lam_verb_error(argv[0], "out of memory");
-  lam_arena_free(arena);
-  return code;
-}
+int lam_verb_inspect(int argc, char **argv) { return lam_verb_run(inspect, argc, argv); }

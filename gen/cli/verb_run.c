@@ -1,13 +1,18 @@
+/* The session around a verb. Called by all verbs. */
 #include "cli/verb_run.h"
 #include "cli/complain.h"
 
-int lam_verb_run(int (*verb)(lam_arena *arena, int argc, char **argv), int argc, char **argv) {
-  lam_arena *arena = lam_arena_new();
-  volatile int status = 1;
-  if (arena && LAM_ARENA_TRY(arena))
-    status = verb(arena, argc, argv);
-  else
-    lam_complain_plain(1, "out of memory");
-  lam_arena_free(arena);
+int lam_verb_run(int (*verb)(lam_session *session, int argc, char **argv), int argc, char **argv) {
+  lam_session *session;
+  if (lam_session_new(&session) != LAM_OK) return lam_complain_plain(1, "out of memory");
+  int status = verb(session, argc, argv);
+  lam_session_free(session);
   return status;
+}
+
+int lam_verb_status(const lam_session *session, lam_status status) {
+  if (status == LAM_OK) return 0;
+  if (status == LAM_NO_MEMORY) return lam_complain_plain(1, "out of memory");
+  lam_complain(session);
+  return status == LAM_BAD_INPUT || status == LAM_IO ? 2 : 1;
 }

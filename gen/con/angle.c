@@ -1,3 +1,5 @@
+/* The constraints `angle` and `orthogonal`: the families of a net cross at one angle. Listed in
+ * constraints.c; isogonal, asymptotic, S-, CMC and DIG nets (net/kinds) add them. */
 #include "con/circle.h"
 #include "con/constraint.h"
 #include "con/kernel.h"
@@ -5,8 +7,9 @@
 #include <math.h>
 
 /* Angle of the two tangents of a regular star (thesis 3.1, isogonal net; its eq. 3.1 as printed is
- * another condition). T1 = unit(e1 - e3),  T2 = unit(e2 - e4),  r = T1 . T2 - cos(angle),  p[0] =
- * cos(angle) */
+ * another condition), with e_k = (v_k - v) / |v_k - v|:
+ *   T1 = unit(e1 - e3),  T2 = unit(e2 - e4),  r = T1 . T2 - cos(angle)   (dimensionless)
+ *   dr/dT1 = T2, dr/dT2 = T1;  p[0] = cos(angle) */
 static void tangent_angle(int n, const double *x, const double *p, double *r, double *J) {
   (void)n;
   lam_vec3 e[4];
@@ -17,13 +20,16 @@ static void tangent_angle(int n, const double *x, const double *p, double *r, do
   lam_vec3 T1 = lam_scale(a, 1 / la), T2 = lam_scale(b, 1 / lb);
   r[0] = lam_dot(T1, T2) - p[0];
   if (!J) return;
+
   lam_vec3 da = lam_unit_pullback(T1, la, T2), db = lam_unit_pullback(T2, lb, T1);
   lam_vec3 de[4] = {da, db, lam_scale(da, -1), lam_scale(db, -1)};
   lam_edges_row(J, 4, e, length, de);
 }
 
-/* The same with the tangents of the circles through three consecutive vertices:
- *   t1 = unit(E1 |E3|^2 - E3 |E1|^2),  t2 likewise from E2, E4,  r = t1 . t2 - cos(angle) */
+/* The same with the tangents of the circles through three consecutive vertices (thesis 3.2.3,
+ * def. 10), with E_k = v_k - v:
+ *   t1 = unit(E1 |E3|^2 - E3 |E1|^2),  t2 likewise from E2, E4,  r = t1 . t2 - cos(angle)
+ * The derivatives by t1 and t2 go through circle.h to the E_k. */
 static void circle_angle(int n, const double *x, const double *p, double *r, double *J) {
   lam_vec3 v = lam_local(x, 0), E[4];
   for (int k = 0; k < 4; k++) E[k] = lam_sub(lam_local(x, k + 1), v);
@@ -32,6 +38,7 @@ static void circle_angle(int n, const double *x, const double *p, double *r, dou
   lam_vec3 t1 = lam_scale(a, 1 / la), t2 = lam_scale(b, 1 / lb);
   r[0] = lam_dot(t1, t2) - p[0];
   if (!J) return;
+
   lam_vec3 dE[4] = {{0, 0, 0}};
   lam_circle_pullback(E[0], E[2], lam_unit_pullback(t1, la, t2), &dE[0], &dE[2]);
   lam_circle_pullback(E[1], E[3], lam_unit_pullback(t2, lb, t1), &dE[1], &dE[3]);
@@ -39,6 +46,7 @@ static void circle_angle(int n, const double *x, const double *p, double *r, dou
   lam_star_row(J, 4, dE);
 }
 
+/* The block of both constraints. */
 static void add_angle(lam_scope *scope, const char *name, double cosine, bool border, int tangents,
                       double weight) {
   lam_block block = {.name = name, .rows = 1, .weight = weight, .arity = 5, .param_count = 1};
@@ -55,6 +63,7 @@ static void add_given(lam_scope *scope, const void *params, double weight, lam_l
   add_angle(scope, "angle", cos(given->angle), given->border, given->tangents, weight);
 }
 
+/* The cosine is 0 exactly, which cos(90 degrees) is not. Without params: inner stars, bisectors. */
 static void add_orthogonal(lam_scope *scope, const void *params, double weight,
                            lam_location location) {
   (void)location;
@@ -65,23 +74,19 @@ static void add_orthogonal(lam_scope *scope, const void *params, double weight,
 
 static const char *const tangent_choices[] = {"bisector", "circle", NULL};
 
+/* The keys that both constraints have; `of` is the struct of their parameters. */
 #define BORDER(of)                                                                                 \
-  {                                                                                                \
-    .name = "border", .type = LAM_KEY_FLAG, .offset = offsetof(of, border), .count = 1,            \
-    .initial = "no", .doc = "Reentrant corners of the border, which have four edges, take part."   \
-  }
+  LAM_FLAG_KEY(of, "border", border, "no",                                                         \
+               "Reentrant corners of the border, which have four edges, take part.")
 #define TANGENTS(of)                                                                               \
-  {                                                                                                \
-    .name = "tangents", .type = LAM_KEY_CHOICE, .offset = offsetof(of, tangents), .count = 1,      \
-    .initial = "bisector", .choices = tangent_choices,                                             \
-    .doc = "Tangent of a polyline at a vertex. bisector: halfway between its two edges; circle: "  \
-           "of the circle through "                                                                \
-           "the vertex and its two neighbors, which unequal edges do not turn."                    \
-  }
+  LAM_CHOICE_KEY(of, "tangents", tangents, "bisector", tangent_choices,                            \
+                 "Tangent of a polyline at a vertex. bisector: halfway between its two edges; "    \
+                 "circle: of the circle through the vertex and its two neighbors, which unequal "  \
+                 "edges do not turn.")
 
 static const lam_key angle_keys[] = {
-    LAM_ANGLE_KEY(lam_angle_params, "angle", angle, "60 deg", 5 * (LAM_PI / 180),
-                  175 * (LAM_PI / 180), "Angle between the two families at every regular vertex."),
+    LAM_ANGLE_KEY(lam_angle_params, "angle", angle, "60 deg", 5 * LAM_DEGREE, 175 * LAM_DEGREE,
+                  "Angle between the two families at every regular vertex."),
     BORDER(lam_angle_params),
     TANGENTS(lam_angle_params),
     {0}};
@@ -91,8 +96,8 @@ static const lam_key orthogonal_keys[] = {BORDER(lam_star_params), TANGENTS(lam_
 const lam_constraint_kind lam_con_angle = {
     {"angle", "Constant angle",
      "The two families of polylines cross at the same angle everywhere, so that all nodes are "
-     "alike. On an asymptotic "
-     "net this fixes the ratio of the principal curvatures: tan^2(angle / 2) = -k1 / k2.",
+     "alike. On an asymptotic net this fixes the ratio of the principal curvatures: "
+     "tan^2(angle / 2) = -k1 / k2.",
      "T1.T2 = cos(angle), T1 = unit(e1 - e3), T2 = unit(e2 - e4)",
      "thesis 3.1, def. 5 and 3.2.3, def. 10", angle_keys, sizeof(lam_angle_params)},
     add_given};
@@ -100,8 +105,8 @@ const lam_constraint_kind lam_con_angle = {
 const lam_constraint_kind lam_con_orthogonal = {
     {"orthogonal", "Right angles",
      "The two families of polylines cross at 90 degrees everywhere. On an asymptotic net the "
-     "surface is then a minimal "
-     "surface, on a net of equal spherical stars a surface of constant mean curvature.",
+     "surface is then a minimal surface, on a net of equal spherical stars a surface of constant "
+     "mean curvature.",
      "T1.T2 = 0, T1 = unit(e1 - e3), T2 = unit(e2 - e4)",
      "thesis 3.1, corrected, and 3.2.3, def. 10", orthogonal_keys, sizeof(lam_star_params)},
     add_orthogonal};

@@ -1,13 +1,17 @@
+/* The constraints `closeness` and `handle`: vertices near a given position. Listed in
+ * constraints.c; net/optimize.c adds the first as a guide, and holds the handles of a design by
+ * lam_closeness_add. */
 #include "con/constraint.h"
 
-/* A vertex at a given place: r = v - p (3 rows, length). Linear. */
-static void at_place(int n, const double *x, const double *p, double *r, double *J) {
+/* A vertex at a given position: r = v - p  (3 rows, length), dr/dv = I. Linear. Thesis 3.7. */
+static void at_position(int n, const double *x, const double *p, double *r, double *J) {
   for (int c = 0; c < 3; c++) r[c] = x[c] - p[c];
   if (!J) return;
   for (int i = 0; i < 3 * n; i++) J[i] = 0;
   for (int c = 0; c < 3; c++) J[c * n + c] = 1;
 }
 
+/* The block of both constraints. */
 void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double weight, int count,
                        const int *vertices, const lam_vec3 *targets) {
   double *params = LAM_NEW(scope->problem->arena, double, 3 * count);
@@ -16,19 +20,18 @@ void lam_closeness_add(lam_scope *scope, const char *name, lam_role role, double
     params[3 * i + 1] = targets[i].y;
     params[3 * i + 2] = targets[i].z;
   }
-  lam_problem_add(scope->problem, (lam_block){.name = name,
-                                              .kernel = at_place,
-                                              .rows = 3,
-                                              .linear = true,
-                                              .role = role,
-                                              .weight = weight,
-                                              .count = count,
-                                              .arity = 1,
-                                              .nodes = vertices,
-                                              .param_count = 3,
-                                              .params = params});
+
+  lam_block block = {.name = name, .kernel = at_position, .rows = 3, .linear = true, .arity = 1};
+  block.role = role;
+  block.weight = weight;
+  block.count = count;
+  block.nodes = vertices;
+  block.param_count = 3;
+  block.params = params;
+  lam_problem_add(scope->problem, block);
 }
 
+/* Every vertex where it is now; as fairness, so that it fades. */
 static void add_closeness(lam_scope *scope, const void *params, double weight,
                           lam_location location) {
   (void)params, (void)location;
@@ -40,6 +43,7 @@ static void add_closeness(lam_scope *scope, const void *params, double weight,
   lam_closeness_add(scope, "closeness", LAM_FAIRNESS, weight, n, vertices, targets);
 }
 
+/* One vertex at the given position in meters, which becomes solver units. */
 static void add_handle(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_handle_params *handle = params;
   int given = handle->vertex.count ? *(const int *)handle->vertex.items : -1;
@@ -48,6 +52,7 @@ static void add_handle(lam_scope *scope, const void *params, double weight, lam_
                   given, scope->net->mesh.vertex_count - 1);
     return;
   }
+
   int *vertex = LAM_NEW(scope->problem->arena, int, 1);
   *vertex = given;
   lam_vec3 target =
@@ -62,16 +67,15 @@ static const lam_key handle_keys[] = {
 
 const lam_constraint_kind lam_con_closeness = {
     {"closeness", "Closeness to the start",
-     "Holds every vertex near its place at the start. Its weight fades with "
-     "the fairness: it guides the first steps and is gone in "
-     "the result.",
+     "Holds every vertex near its place at the start. Its weight fades with the fairness: it "
+     "guides the first steps and is gone in the result.",
      "v - v_start -> small", "thesis 3.7", NULL, 0},
     add_closeness};
 
-const lam_constraint_kind lam_con_handle = {
-    {"handle", "Handle",
-     "A vertex that has to be at a given place. Handles at the corners of an "
-     "open grid belong to no vertex star: take vertices one row "
-     "further in.",
-     "v = target", "thesis 3.7", handle_keys, sizeof(lam_handle_params)},
-    add_handle};
+const lam_constraint_kind lam_con_handle = {{"handle", "Handle",
+                                             "A vertex that has to be at a given place. Handles at "
+                                             "the corners of an open grid belong to no "
+                                             "vertex star: take vertices one row further in.",
+                                             "v = target", "thesis 3.7", handle_keys,
+                                             sizeof(lam_handle_params)},
+                                            add_handle};

@@ -1,8 +1,11 @@
+/* The constraint `edge-length`. Listed in constraints.c; net/kinds/geodesic_parallel_net.c adds it,
+ * and K-nets, Chebyshev nets and the stiffness of net/optimize.c by lam_edge_length_add. */
 #include "con/constraint.h"
 #include "con/kernel.h"
 
-/* Length of an edge: r = (|v1 - v0|^2 / L^2 - 1) / 2  (dimensionless; the half makes it a relative
- * error);  p[0] = 1 / L^2 */
+/* Length of an edge E = v1 - v0 (thesis 3.1, definition 3):
+ *   r = (|E|^2 / L^2 - 1) / 2  (dimensionless; the half makes it a relative error);  p[0] = 1 / L^2
+ *   dr/dv1 = E / L^2, dr/dv0 = -E / L^2 */
 static void edge_length(int n, const double *x, const double *p, double *r, double *J) {
   (void)n;
   lam_vec3 E = lam_sub(lam_local(x, 1), lam_local(x, 0));
@@ -13,32 +16,36 @@ static void edge_length(int n, const double *x, const double *p, double *r, doub
   lam_add_to(J, 0, lam_scale(E, -p[0]));
 }
 
+/* The length that an edge has to have, in solver units. */
+static double wanted_length(const lam_scope *scope, const lam_edge *edge, double given) {
+  if (given > 0) return given / scope->unit;
+  return lam_distance(lam_local(scope->problem->x, edge->vertex[0]),
+                      lam_local(scope->problem->x, edge->vertex[1]));
+}
+
+/* All edges, or those of the boundary. */
 void lam_edge_length_add(lam_scope *scope, const char *name, lam_role role, double weight,
                          lam_edge_length_params given) {
   const lam_net *net = scope->net;
   lam_arena *arena = scope->problem->arena;
   int count = 0, *nodes = LAM_NEW(arena, int, 2 * net->edge_count);
-  double *lengths = LAM_NEW(arena, double, net->edge_count);
+  double *params = LAM_NEW(arena, double, net->edge_count);
   for (int e = 0; e < net->edge_count; e++) {
     const lam_edge *edge = &net->edges[e];
     if (given.boundary_only && edge->face[1] >= 0) continue;
-    double L = given.length > 0 ? given.length / scope->unit
-                                : lam_distance(lam_local(scope->problem->x, edge->vertex[0]),
-                                               lam_local(scope->problem->x, edge->vertex[1]));
+    double L = wanted_length(scope, edge, given.length);
     nodes[2 * count] = edge->vertex[0];
     nodes[2 * count + 1] = edge->vertex[1];
-    lengths[count++] = 1 / (L * L);
+    params[count++] = 1 / (L * L);
   }
-  lam_problem_add(scope->problem, (lam_block){.name = name,
-                                              .kernel = edge_length,
-                                              .rows = 1,
-                                              .role = role,
-                                              .weight = weight,
-                                              .count = count,
-                                              .arity = 2,
-                                              .nodes = nodes,
-                                              .param_count = 1,
-                                              .params = lengths});
+
+  lam_block block = {.name = name, .kernel = edge_length, .rows = 1, .role = role, .arity = 2};
+  block.weight = weight;
+  block.count = count;
+  block.nodes = nodes;
+  block.param_count = 1;
+  block.params = params;
+  lam_problem_add(scope->problem, block);
 }
 
 static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
@@ -56,8 +63,8 @@ static const lam_key keys[] = {
 
 const lam_constraint_kind lam_con_edge_length = {
     {"edge-length", "Edge lengths",
-     "Edges of a given length, or each of its length at the start. With "
-     "one length for all, the net is a Chebyshev net.",
+     "Edges of a given length, or each of its length at the start. With one length for all, the "
+     "net is a Chebyshev net.",
      "(|v1 - v0|^2 / L^2 - 1) / 2 = 0", "thesis 3.1, definition 3", keys,
      sizeof(lam_edge_length_params)},
     add};

@@ -1,9 +1,11 @@
+/* The constraint `fairness`: smooth polylines. Listed in constraints.c; net/optimize.c adds it to
+ * every net as a guide that fades. */
 #include "con/constraint.h"
 
-/* Second difference along a polyline: r = (v_(k-1) - 2 v_k + v_(k+1)) - p (3 rows, length). Linear.
+/* Second difference along a polyline (thesis 3.7):
+ *   r = (v_(k-1) - 2 v_k + v_(k+1)) - p   (3 rows, length), Jacobian I, -2 I, I. Linear.
  * p = 0 makes the net itself fair; p = the second difference at the start makes its displacement
- * fair, which keeps the waves of the start.
- */
+ * fair, which keeps the waves of the start. */
 static void second_difference(int n, const double *x, const double *p, double *r, double *J) {
   for (int c = 0; c < 3; c++) r[c] = x[c] - 2 * x[3 + c] + x[6 + c] - p[c];
   if (!J) return;
@@ -15,7 +17,7 @@ static void second_difference(int n, const double *x, const double *p, double *r
   }
 }
 
-/* Nodes of all consecutive triples of the polylines. */
+/* Nodes of all consecutive triples of the polylines; nodes may be NULL. Returns their number. */
 static int triples(const lam_net *net, int *nodes) {
   int count = 0;
   for (int l = 0; l < net->polyline_count; l++) {
@@ -27,28 +29,34 @@ static int triples(const lam_net *net, int *nodes) {
   return count;
 }
 
+/* The second differences of the triples at x, 3 numbers each. */
+static void differences_at(const double *x, int count, const int *nodes, double *out) {
+  for (int i = 0; i < count; i++)
+    for (int c = 0; c < 3; c++)
+      out[3 * i + c] =
+          x[3 * nodes[3 * i] + c] - 2 * x[3 * nodes[3 * i + 1] + c] + x[3 * nodes[3 * i + 2] + c];
+}
+
+/* Without params: of positions. */
 static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   (void)location;
   const lam_fairness_params *given = params;
-  int count = triples(scope->net, NULL), *nodes = LAM_NEW(scope->problem->arena, int, 3 * count);
-  double *targets = LAM_NEW(scope->problem->arena, double, 3 * count);
+  lam_arena *arena = scope->problem->arena;
+  int count = triples(scope->net, NULL), *nodes = LAM_NEW(arena, int, 3 * count);
+  double *targets = LAM_NEW(arena, double, 3 * count);
   triples(scope->net, nodes);
-  const double *x = scope->problem->x;
-  for (int i = 0; given && given->of == LAM_FAIR_DISPLACEMENT && i < count; i++)
-    for (int c = 0; c < 3; c++)
-      targets[3 * i + c] =
-          x[3 * nodes[3 * i] + c] - 2 * x[3 * nodes[3 * i + 1] + c] + x[3 * nodes[3 * i + 2] + c];
-  lam_problem_add(scope->problem, (lam_block){.name = "fairness",
-                                              .kernel = second_difference,
-                                              .rows = 3,
-                                              .linear = true,
-                                              .role = LAM_FAIRNESS,
-                                              .weight = weight,
-                                              .count = count,
-                                              .arity = 3,
-                                              .nodes = nodes,
-                                              .param_count = 3,
-                                              .params = targets});
+  if (given && given->of == LAM_FAIR_DISPLACEMENT)
+    differences_at(scope->problem->x, count, nodes, targets);
+
+  lam_block block = {.name = "fairness", .kernel = second_difference, .rows = 3, .linear = true};
+  block.role = LAM_FAIRNESS;
+  block.weight = weight;
+  block.count = count;
+  block.arity = 3;
+  block.nodes = nodes;
+  block.param_count = 3;
+  block.params = targets;
+  lam_problem_add(scope->problem, block);
 }
 
 const char *const lam_fairness_choices[] = {"positions", "displacements", NULL};
@@ -62,8 +70,7 @@ static const lam_key keys[] = {
 const lam_constraint_kind lam_con_fairness = {
     {"fairness", "Fair polylines",
      "Keeps polylines smooth while the net finds its shape; its weight fades out, so that it does "
-     "not bend the result. "
-     "Strong "
-     "fairness without closeness, handles or fixed vertices pulls every net towards a plane.",
+     "not bend the result. Strong fairness without closeness, handles or fixed vertices pulls "
+     "every net towards a plane.",
      "v(k-1) - 2 v(k) + v(k+1) -> small", "thesis 3.7", keys, sizeof(lam_fairness_params)},
     add};

@@ -1,9 +1,13 @@
+/* The constraint `geodesic-parallel`: geodesic parallel coordinates. Listed in constraints.c;
+ * net/kinds/geodesic_parallel_net.c adds it. */
 #include "con/star_cosines.h"
 
 /* Geodesic parallel coordinates (thesis 3.3.2, theorem 7, condition 2). With the geodesics in
- * family 0: <e1, e2 - e4> = <e1,e2> - <e4,e1> = 0,   <e3, e2 - e4> = <e2,e3> - <e3,e4> = 0 Both
- * edges of the geodesic see the crossing line under equal angles to the left and to the right, so
- * the line is a geodesic and the families cross at right angles. */
+ * family 0:
+ *   <e1, e2 - e4> = <e1,e2> - <e4,e1> = 0,   <e3, e2 - e4> = <e2,e3> - <e3,e4> = 0
+ * (2 rows, dimensionless; Jacobian in star_cosines.c). Both edges of the line along u make equal
+ * angles with the crossing line on its left and on its right. The angles on both sides of the line
+ * have the same sum, so it is a geodesic, and the families cross at right angles. */
 static void along_u(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   static const lam_cosines rows[] = {{{1, 0, 0, -1}}, {{0, 1, -1, 0}}};
@@ -38,9 +42,8 @@ static const lam_key keys[] = {
 const lam_constraint_kind lam_con_geodesic_parallel = {
     {"geodesic-parallel", "Geodesic parallel coordinates",
      "The lines of one family are geodesics and the other family crosses them at right angles, as "
-     "meridians and "
-     "parallels do on a surface of revolution. Strips between two lines across have the same width "
-     "all along.",
+     "meridians and parallels do on a surface of revolution. Strips between two lines across have "
+     "the same width all along.",
      "<e1, e2 - e4> = <e3, e2 - e4> = 0; at the ends <e, e2 - e4> = 0",
      "thesis 3.3.2, def. 16 and theorem 7", keys, sizeof(lam_geodesic_params)},
     add};

@@ -1,10 +1,14 @@
+/* The constraint `glide`: boundary vertices slide along the boundary curve of the start. Listed in
+ * constraints.c; net/optimize.c adds it for `boundary: glide`. */
 #include "con/constraint.h"
 #include "con/kernel.h"
 
 #include <string.h>
 
 /* A vertex on a straight line through P along the unit direction d: with unit vectors a, b
- * orthogonal to d and to each other, r = (a.(v - P), b.(v - P))   (2 rows, length);  p = P, a, b */
+ * orthogonal to d and to each other,
+ *   r = (a.(v - P), b.(v - P))   (2 rows, length);  p = P, a, b
+ *   dr/dv = a, b */
 static void on_line(int n, const double *x, const double *p, double *r, double *J) {
   for (int i = 0; i < 2; i++) {
     const double *a = p + 3 + 3 * i;
@@ -13,12 +17,15 @@ static void on_line(int n, const double *x, const double *p, double *r, double *
   }
 }
 
+/* The parameters of on_line for the line through point along direction (of any length). a is
+ * orthogonal to the coordinate axis that is farthest from the direction. */
 static void set_line(double *p, lam_vec3 point, lam_vec3 direction) {
   lam_vec3 d = lam_unit(direction);
   lam_vec3 least = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? lam_v3(1, 0, 0)
                    : fabs(d.y) <= fabs(d.z)                         ? lam_v3(0, 1, 0)
                                                                     : lam_v3(0, 0, 1);
   lam_vec3 a = lam_unit(lam_cross(d, least)), b = lam_cross(d, a);
+
   lam_vec3 all[3] = {point, a, b};
   for (int i = 0; i < 3; i++) {
     p[3 * i] = all[i].x;
@@ -27,28 +34,13 @@ static void set_line(double *p, lam_vec3 point, lam_vec3 direction) {
   }
 }
 
-void lam_glide_add(lam_scope *scope, double weight, int count, const int *vertices,
-                   const lam_vec3 *points, const lam_vec3 *directions) {
-  double *params = LAM_NEW(scope->problem->arena, double, 9 * count);
-  for (int i = 0; i < count; i++) set_line(params + 9 * i, points[i], directions[i]);
-  lam_problem_add(scope->problem, (lam_block){.name = "glide",
-                                              .kernel = on_line,
-                                              .rows = 2,
-                                              .role = LAM_HARD,
-                                              .weight = weight,
-                                              .count = count,
-                                              .arity = 1,
-                                              .nodes = vertices,
-                                              .param_count = 9,
-                                              .params = params});
-}
+/* ---- the boundary curve ---- */
 
-/* The boundary curve at the start, followed by a vertex: a polyline with its foot point and tangent
- * found anew every iteration. Only the segments near the last foot are searched, so a step costs
- * the same for any boundary length. */
+/* A side of the boundary at the start, as a polyline. Vertices follow it: their foot point and
+ * tangent are found anew every iteration. */
 typedef struct track {
-  int count; /* points; the curve is closed when the loop has no corner */
-  bool closed;
+  int count;   /* points */
+  bool closed; /* the loop has no corner */
   const lam_vec3 *points;
 } track;
 
@@ -57,6 +49,9 @@ typedef struct glider {
   int segment; /* of the last foot */
 } glider;
 
+static int segments_of(const track *t) { return t->closed ? t->count : t->count - 1; }
+
+/* The point of segment s that is nearest to v; returns their distance. */
 static double foot_on_segment(const track *t, int s, lam_vec3 v, lam_vec3 *foot) {
   lam_vec3 a = t->points[s], b = t->points[(s + 1) % t->count], d = lam_sub(b, a);
   double u = lam_dot(lam_sub(v, a), d) / lam_dot(d, d);
@@ -64,105 +59,101 @@ static double foot_on_segment(const track *t, int s, lam_vec3 v, lam_vec3 *foot)
   return lam_distance(*foot, v);
 }
 
-/* The tangent at a foot: between the directions of the segment and its neighbor, so that it turns
- * continuously. */
+/* The segment nearest to v and the foot point on it. Only the segments near the last one are
+ * searched, so that a step costs the same for any length of the boundary. */
+static int nearest_segment(const track *t, int last, lam_vec3 v, lam_vec3 *nearest) {
+  int segments = segments_of(t), best = last, reach = 4;
+  double least = INFINITY;
+  *nearest = v;
+  for (int k = -reach; k <= reach; k++) {
+    int s = last + k;
+    if (t->closed) s = ((s % segments) + segments) % segments;
+    if (s < 0 || s >= segments) continue;
+
+    lam_vec3 foot;
+    double distance = foot_on_segment(t, s, v, &foot);
+    if (distance < least) {
+      least = distance;
+      best = s;
+      *nearest = foot;
+    }
+  }
+  return best;
+}
+
+/* The tangent at a foot on segment s: between the directions of the segment and its neighbor, so
+ * that it turns continuously. At an end of an open curve there is no neighbor. */
 static lam_vec3 tangent_at(const track *t, int s, lam_vec3 foot) {
-  int last = t->closed ? t->count : t->count - 1;
+  int segments = segments_of(t);
   lam_vec3 a = t->points[s], b = t->points[(s + 1) % t->count];
   double length = lam_distance(a, b), u = length > 0 ? lam_distance(a, foot) / length : 0;
   int other = u < .5 ? s - 1 : s + 1;
-  if (t->closed) other = (other + last) % last;
+  if (t->closed) other = (other + segments) % segments;
   lam_vec3 own = lam_unit(lam_sub(b, a));
-  if (other < 0 || other >= last) return own;
+  if (other < 0 || other >= segments) return own;
+
+  /* the neighbor's share grows from 0 in the middle of the segment to 1/2 at its end */
   lam_vec3 next = lam_unit(lam_sub(t->points[(other + 1) % t->count], t->points[other]));
   return lam_unit(lam_mix(own, next, fabs(u - .5)));
 }
 
+/* The block's update: every vertex gets the line through its foot point along the tangent. */
 static void follow(struct lam_block *block, const double *x, const int *offset, void *context) {
   glider *gliders = context;
   for (int i = 0; i < block->count; i++) {
     const track *t = gliders[i].curve;
-    lam_vec3 v = lam_local(x + offset[block->nodes[i]], 0), foot, best_foot = v;
-    int segments = t->closed ? t->count : t->count - 1, best = gliders[i].segment, reach = 4;
-    double least = INFINITY;
-    for (int k = -reach; k <= reach; k++) {
-      int s = gliders[i].segment + k;
-      if (t->closed) s = ((s % segments) + segments) % segments;
-      if (s < 0 || s >= segments) continue;
-      double distance = foot_on_segment(t, s, v, &foot);
-      if (distance < least) {
-        least = distance;
-        best = s;
-        best_foot = foot;
-      }
-    }
-    gliders[i].segment = best;
-    set_line(block->params + 9 * i, best_foot, tangent_at(t, best, best_foot));
+    lam_vec3 v = lam_local(x + offset[block->nodes[i]], 0), foot;
+    int s = nearest_segment(t, gliders[i].segment, v, &foot);
+    gliders[i].segment = s;
+    set_line(block->params + 9 * i, foot, tangent_at(t, s, foot));
   }
 }
 
-/* A boundary loop is cut at its corners (boundary vertices of valence 2): corners stay, the
- * vertices between them glide. */
+/* ---- the block ---- */
+
+/* The side where its vertices are now, which is the start. */
+static track *track_of(const lam_problem *problem, const lam_polyline *side) {
+  lam_vec3 *points = LAM_NEW(problem->arena, lam_vec3, side->count);
+  for (int i = 0; i < side->count; i++) points[i] = lam_local(problem->x, side->vertices[i]);
+  track *t = LAM_NEW(problem->arena, track, 1);
+  *t = (track){side->count, side->closed, points};
+  return t;
+}
+
+/* The corner at which an open side begins becomes fixed (its other end begins the next side); the
+ * vertices between the corners, of a closed side all, glide. The first foot of each is searched
+ * near the segment that begins with it. */
+static void add_side(lam_scope *scope, const lam_polyline *side, double weight) {
+  lam_arena *arena = scope->problem->arena;
+  const track *t = track_of(scope->problem, side);
+  int first = side->closed ? 0 : 1, count = side->closed ? side->count : side->count - 2;
+  if (!side->closed) scope->problem->fixed[side->vertices[0]] = true;
+  glider *gliders = LAM_NEW(arena, glider, count);
+  for (int i = 0; i < count; i++) gliders[i] = (glider){t, first + i};
+
+  lam_block block = {.name = "glide", .kernel = on_line, .rows = 2, .role = LAM_HARD, .arity = 1};
+  block.weight = weight;
+  block.count = count;
+  block.nodes = side->vertices + first;
+  block.param_count = 9;
+  block.params = LAM_NEW(arena, double, 9 * count);
+  block.update = follow;
+  block.context = gliders;
+  lam_problem_add(scope->problem, block);
+}
+
+/* One block per side. */
 static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   (void)params, (void)location;
-  const lam_net *net = scope->net;
-  lam_arena *arena = scope->problem->arena;
-  lam_vec3 *positions = LAM_NEW(arena, lam_vec3, net->mesh.vertex_count);
-  lam_problem_positions(scope->problem, positions);
-  for (int l = 0; l < net->loop_count; l++) {
-    const lam_polyline *loop = &net->loops[l];
-    int n = loop->count, corner = 0;
-    while (corner < n &&
-           net->ring_start[loop->vertices[corner] + 1] - net->ring_start[loop->vertices[corner]] !=
-               2)
-      corner++;
-    bool closed = corner == n;
-    int start = closed ? 0 : corner;
-    for (int from = 0; from < n;) {
-      int to = from + 1;
-      while (to < n && (closed || net->ring_start[loop->vertices[(start + to) % n] + 1] -
-                                          net->ring_start[loop->vertices[(start + to) % n]] !=
-                                      2))
-        to++;
-      track *t = LAM_NEW(arena, track, 1);
-      t->closed = closed;
-      t->count = closed ? n : to - from + 1;
-      lam_vec3 *points = LAM_NEW(arena, lam_vec3, t->count);
-      for (int i = 0; i < t->count; i++)
-        points[i] = positions[loop->vertices[(start + from + i) % n]];
-      t->points = points;
-      int first = closed ? 0 : 1, count = closed ? n : to - from - 1;
-      if (!closed) scope->problem->fixed[loop->vertices[(start + from) % n]] = true;
-      int *vertices = LAM_NEW(arena, int, count);
-      glider *gliders = LAM_NEW(arena, glider, count);
-      for (int i = 0; i < count; i++) {
-        vertices[i] = loop->vertices[(start + from + first + i) % n];
-        gliders[i] =
-            (glider){t, first + i < (closed ? n : t->count - 1) ? first + i : first + i - 1};
-      }
-      lam_problem_add(scope->problem, (lam_block){.name = "glide",
-                                                  .kernel = on_line,
-                                                  .rows = 2,
-                                                  .role = LAM_HARD,
-                                                  .weight = weight,
-                                                  .count = count,
-                                                  .arity = 1,
-                                                  .nodes = vertices,
-                                                  .param_count = 9,
-                                                  .params = LAM_NEW(arena, double, 9 * count),
-                                                  .update = follow,
-                                                  .context = gliders});
-      from = to;
-    }
-  }
+  const lam_polyline *sides;
+  int count = lam_scope_sides(scope, &sides);
+  for (int s = 0; s < count; s++) add_side(scope, &sides[s], weight);
 }
 
 const lam_constraint_kind lam_con_glide = {
     {"glide", "Gliding on the boundary",
      "Boundary vertices stay on the boundary curve of the start and may slide along it; corners "
-     "stay where they are. "
-     "Straight "
-     "edges stay straight.",
+     "stay where they are. Straight edges stay straight.",
      "a.(v - P) = b.(v - P) = 0, foot point P and normals a, b found anew every iteration",
      "thesis 3.7", NULL, 0},
     add};

@@ -1,5 +1,5 @@
-/* Small derivative rules that kernels share. An element's unknowns are its nodes' coordinates one
- * after the other. */
+/* Small derivative rules that the kernels of this folder and of con/thesis share. An element's
+ * unknowns x are its nodes' coordinates one after the other, three per vertex. */
 #ifndef LAM_CON_KERNEL_H
 #define LAM_CON_KERNEL_H
 
@@ -17,13 +17,14 @@ static inline void lam_add_to(double *row, int k, lam_vec3 d) {
   row[3 * k + 2] += d.z;
 }
 
-/* The derivative with respect to E of f(unit(E)), given df/de at e = unit(E), |E| = length: (I - e
- * e') g / |E|. */
+/* The derivative with respect to E of f(unit(E)), given e = unit(E), length = |E| and g = df/de:
+ *   (I - e e') g / |E| */
 static inline lam_vec3 lam_unit_pullback(lam_vec3 e, double length, lam_vec3 g) {
   return lam_scale(lam_along(g, -lam_dot(e, g), e), 1 / length);
 }
 
-/* Unit edges from the first vertex of an element to the next count vertices, and their lengths. */
+/* Unit edges e from the first vertex of an element to the next count vertices, and their
+ * lengths. Precondition: no edge has length 0. */
 static inline void lam_unit_edges(const double *x, int count, lam_vec3 *e, double *length) {
   lam_vec3 v = lam_local(x, 0);
   for (int k = 0; k < count; k++) {

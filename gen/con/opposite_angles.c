@@ -1,7 +1,9 @@
+/* The constraint `opposite-angles`: geodesic nets. Listed in constraints.c; geodesic, Voss and DIG
+ * nets (net/kinds) add it. */
 #include "con/star_cosines.h"
 
 /* Geodesic net: both families are geodesics (thesis 3.4; its eq. 3.10 is one of the two equations).
- *   <e1,e2> = <e3,e4>,   <e2,e3> = <e4,e1>
+ *   <e1,e2> = <e3,e4>,   <e2,e3> = <e4,e1>   (2 rows, dimensionless; Jacobian in star_cosines.c)
  * Then <e1 + e3, e2 - e4> = 0 and <e2 + e4, e1 - e3> = 0: the principal normals of both lines are
  * normal to the net. */
 static void opposite_angles(int n, const double *x, const double *p, double *r, double *J) {

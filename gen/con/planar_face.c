@@ -1,10 +1,13 @@
+/* The constraint `planar-face`: flat quads. Listed in constraints.c; the kinds of nets with flat
+ * faces (net/kinds) and s_isothermic.c add it. */
 #include "con/constraint.h"
 #include "con/kernel.h"
 
-/* Planar quad: the distance of the two diagonals relative to their mean length.
- *   d1 = v2 - v0,  d2 = v3 - v1,  N = unit(d1 x d2),  D = N . (v1 - v0),  m = (|d1| + |d2|) / 2,  r
- * = D / m dD/dd1 = d2 x g, dD/dd2 = g x d1 with g = (E - N D) / |d1 x d2|, E = v1 - v0, and dD/dE =
- * N. */
+/* Planar quad (thesis 3.1): the distance of the two diagonals relative to their mean length.
+ *   d1 = v2 - v0,  d2 = v3 - v1,  E = v1 - v0,  N = unit(d1 x d2),
+ *   D = N . E,  m = (|d1| + |d2|) / 2,  r = D / m   (dimensionless)
+ * dD/dd1 = d2 x g, dD/dd2 = g x d1 with g = (E - N D) / |d1 x d2|, and dD/dE = N;
+ * dm/dd_i = d_i / (2 |d_i|). */
 static void planar_face(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   lam_vec3 v0 = lam_local(x, 0), v1 = lam_local(x, 1);
@@ -16,6 +19,8 @@ static void planar_face(int n, const double *x, const double *p, double *r, doub
   double D = lam_dot(N, E);
   r[0] = D / m;
   if (!J) return;
+
+  /* r1, r2, rE: derivatives of r by d1, d2, E */
   for (int c = 0; c < n; c++) J[c] = 0;
   lam_vec3 g = lam_scale(lam_along(E, -D, N), 1 / size);
   double slope = -D / (2 * m * m);
@@ -30,21 +35,14 @@ static void planar_face(int n, const double *x, const double *p, double *r, doub
 
 static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   (void)params, (void)location;
-  lam_problem_add(scope->problem, (lam_block){.name = "planar-face",
-                                              .kernel = planar_face,
-                                              .rows = 1,
-                                              .weight = weight,
-                                              .count = scope->net->mesh.face_count,
-                                              .arity = 4,
-                                              .nodes = scope->net->mesh.faces[0]});
+  lam_face_block_add(scope, "planar-face", planar_face, 1, weight);
 }
 
 const lam_constraint_kind lam_con_planar_face = {
     {"planar-face", "Planar faces",
      "Every quad is flat, so that it can be cut from sheet or glass. A net of planar quads "
-     "discretizes a conjugate "
-     "net; start "
-     "from one (principal lines, for instance), or the quads collapse to slivers on the way.",
+     "discretizes a conjugate net; start from one (principal lines, for instance), or the quads "
+     "collapse to slivers on the way.",
      "N.(v1 - v0) / ((|v2 - v0| + |v3 - v1|) / 2) = 0, N = unit((v2 - v0) x (v3 - v1))",
      "thesis 3.1", NULL, 0},
     add};

@@ -1,15 +1,22 @@
+/* The constraint `spherical-star`: every vertex on a sphere with its neighbors. Listed in
+ * constraints.c; S-nets and CMC nets (net/kinds) add it. */
 #include "con/circle.h"
 #include "con/constraint.h"
 
 /* Spherical vertex star (S-net, thesis 3.2.3, def. 8 and 10). E_k = v_k - v, circle tangents a of
  * (E1, E3), b of (E2, E4), N = unit(a x b): the only sphere (or plane) that touches both circles at
- * v has the normal N there. It passes through v_k when its curvature is kappa_k = 2 N.E_k / |E_k|^2
- * (1/length; positive: the center lies on the side of N) N.a = 0 gives kappa_1 = kappa_3, N.b = 0
- * gives kappa_2 = kappa_4, so two curvatures describe the star: own      r  = kappa_1 - kappa_2
- * every star its own sphere given    r  = kappa_1 - k, kappa_2 - k            k = p[0]; k = 0: the
- * planar star of an asymptotic net common   r  = kappa_1 - k, kappa_2 - k            k = x[15], one
- * unknown for all Jacobian of kappa_i = N.c, c = 2 E_i / |E_i|^2: with M = a x b and g = (c - N
- * (N.c)) / |M|, by a: b x g, by b: g x a, and by the E_i in c: (2 N - 2 kappa_i E_i) / |E_i|^2. */
+ * v has the normal N there. It passes through v_k when its curvature is
+ *   kappa_k = 2 N.E_k / |E_k|^2   (1/length; positive: the center lies on the side of N)
+ * N.a = 0 gives kappa_1 = kappa_3, N.b = 0 gives kappa_2 = kappa_4, so two curvatures describe the
+ * star:
+ *   own      r = kappa_1 - kappa_2               every star has a sphere of its own
+ *   given    r = kappa_1 - k, kappa_2 - k        k = p[0]; k = 0: the planar star of an asymptotic
+ *                                                net
+ *   common   r = kappa_1 - k, kappa_2 - k        k = x[15], one unknown for all
+ * Jacobian of kappa_i = N.c, c = 2 E_i / |E_i|^2: with M = a x b and g = (c - N (N.c)) / |M|, by a:
+ * b x g, by b: g x a, and by E_i in c: (2 N - 2 kappa_i E_i) / |E_i|^2. */
+
+/* kappa_1 and kappa_2 of a star, and their derivatives by the four E_k (NULL: not wanted). */
 static void curvatures(const double *x, double kappa[2], lam_vec3 dE[2][4]) {
   lam_vec3 v = lam_local(x, 0), E[4];
   for (int k = 0; k < 4; k++) E[k] = lam_sub(lam_local(x, k + 1), v);
@@ -17,11 +24,13 @@ static void curvatures(const double *x, double kappa[2], lam_vec3 dE[2][4]) {
            M = lam_cross(a, b);
   double size = lam_length(M);
   lam_vec3 N = lam_scale(M, 1 / size);
+
   for (int i = 0; i < 2; i++) {
     double q = lam_dot(E[i], E[i]);
     lam_vec3 c = lam_scale(E[i], 2 / q);
     kappa[i] = lam_dot(N, c);
     if (!dE) continue;
+
     lam_vec3 g = lam_scale(lam_along(c, -kappa[i], N), 1 / size);
     for (int k = 0; k < 4; k++) dE[i][k] = lam_v3(0, 0, 0);
     lam_circle_pullback(E[0], E[2], lam_cross(b, g), &dE[i][0], &dE[i][2]);
@@ -30,6 +39,7 @@ static void curvatures(const double *x, double kappa[2], lam_vec3 dE[2][4]) {
   }
 }
 
+/* r = kappa_1 - kappa_2  (1/length) */
 static void own_sphere(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   double kappa[2];
@@ -42,6 +52,7 @@ static void own_sphere(int n, const double *x, const double *p, double *r, doubl
   lam_star_row(J, 4, dE[0]);
 }
 
+/* r_i = kappa_i - k  (1/length);  p[0] = k */
 static void given_sphere(int n, const double *x, const double *p, double *r, double *J) {
   double kappa[2];
   lam_vec3 dE[2][4];
@@ -54,6 +65,7 @@ static void given_sphere(int n, const double *x, const double *p, double *r, dou
   }
 }
 
+/* The same with k as the unknown x[15]: dr_i/dk = -1. */
 static void common_sphere(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   given_sphere(n, x, x + 15, r, J);
@@ -61,7 +73,7 @@ static void common_sphere(int n, const double *x, const double *p, double *r, do
   for (int i = 0; i < 2; i++) J[i * n + 15] = -1;
 }
 
-/* The mean curvature of all stars at the start. */
+/* The mean curvature of all stars where the vertices are now, in 1 / solver unit. */
 static double mean_at_start(const lam_problem *problem, const int *stars, int count) {
   double sum = 0;
   for (int i = 0; i < count; i++) {
@@ -86,6 +98,8 @@ static const int *with_common_node(lam_scope *scope, const int *stars, int count
   return nodes;
 }
 
+/* Whether a sphere of that radius (meters) has chords as long as the mean edge; adds an error when
+ * not. */
 static bool radius_fits(const lam_scope *scope, double radius, lam_location location) {
   if (fabs(radius) >= scope->unit / 2) return true;
   lam_error_add(scope->errors, location, "radius",
@@ -95,18 +109,24 @@ static bool radius_fits(const lam_scope *scope, double radius, lam_location loca
   return false;
 }
 
+/* Makes the block one of spheres with the given radius in meters. */
+static void give_radius(const lam_scope *scope, double radius, lam_block *block) {
+  block->kernel = given_sphere;
+  block->param_count = 1;
+  block->params = LAM_NEW(scope->problem->arena, double, block->count);
+  for (int i = 0; i < block->count; i++) block->params[i] = scope->unit / radius;
+}
+
+/* The kernel is chosen by what is known of the radius. */
 static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_spherical_star_params *given = params;
-  lam_arena *arena = scope->problem->arena;
   lam_block block = {.name = "spherical-star", .rows = 2, .weight = weight, .arity = 5};
   block.count = lam_scope_stars(scope, false, &block.nodes);
   if (block.count == 0) return;
+
   if (given->radius != 0) {
     if (!radius_fits(scope, given->radius, location)) return;
-    block.kernel = given_sphere;
-    block.param_count = 1;
-    block.params = LAM_NEW(arena, double, block.count);
-    for (int i = 0; i < block.count; i++) block.params[i] = scope->unit / given->radius;
+    give_radius(scope, given->radius, &block);
   } else if (given->spheres == LAM_SPHERES_COMMON) {
     block.kernel = common_sphere;
     block.nodes = with_common_node(scope, block.nodes, block.count);
@@ -132,10 +152,9 @@ static const lam_key keys[] = {
 const lam_constraint_kind lam_con_spherical_star = {
     {"spherical-star", "Spherical vertex stars",
      "Every regular vertex lies on one sphere with its four neighbors: both polylines have the "
-     "same normal curvature "
-     "there, and the principal directions halve the angles between them. With one radius for all, "
-     "strips normal to the "
-     "surface unroll to arcs of that radius. A very large radius is nearly an asymptotic net.",
+     "same normal curvature there, and the principal directions halve the angles between them. "
+     "With one radius for all, strips normal to the surface unroll to arcs of that radius. A very "
+     "large radius is nearly an asymptotic net.",
      "2 N.E1 / |E1|^2 = 2 N.E2 / |E2|^2 (= 1 / radius), N = unit(t1 x t2), t1 = unit(E1 |E3|^2 - "
      "E3 |E1|^2)",
      "thesis 3.2.3, def. 8 and 10, th. 4 and 5", keys, sizeof(lam_spherical_star_params)},

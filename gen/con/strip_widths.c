@@ -1,15 +1,20 @@
+/* The constraint `strip-widths`: how the widths of strips between geodesics go together. Listed in
+ * constraints.c; net/kinds/geodesic_parallel_net.c adds it.
+ *
+ * w(a, s) is the edge across strip s at station a:
+ *   equal         w(a, s) = w(a, s+1)                    one width for all strips at a station
+ *   proportional  w(a, s) w(b, s+1) = w(a, s+1) w(b, s)  and a factor for each strip (eq. 3.8)
+ *   constant      w(a, s) = w(a+1, s)                    each strip has one width all along */
 #include "con/edge_sums.h"
 #include "con/kernel.h"
 
-/* Widths of strips between geodesics; w(a, s) is the edge across strip s at station a.
- *   equal         w(a, s) = w(a, s+1)                          all strips have the same width at a
- * station proportional  w(a, s) w(b, s+1) = w(a, s+1) w(b, s)        and a factor for each strip
- * (thesis eq. 3.8) constant      w(a, s) = w(a+1, s)                          each strip has one
- * width all along */
 static const char *const choices[] = {"equal", "proportional", "constant", NULL};
-static const double difference[2] = {1, -1};
 
-/* r = |E0| |E3| - |E1| |E2|; nodes: the four edges one after the other, two each. */
+/* Proportional widths (thesis eq. 3.8): with the edges E0 = w(a, s), E1 = w(a, s+1), E2 = w(b, s),
+ * E3 = w(b, s+1), two nodes each,
+ *   r = |E0| |E3| - |E1| |E2|   (length^2)
+ *   dr/dE0 = |E3| E0 / |E0|, dr/dE1 = -|E2| E1 / |E1|, dr/dE2 = -|E1| E2 / |E2|,
+ *   dr/dE3 = |E0| E3 / |E3| */
 static void proportional(int n, const double *x, const double *p, double *r, double *J) {
   (void)p;
   lam_vec3 e[4];
@@ -21,6 +26,7 @@ static void proportional(int n, const double *x, const double *p, double *r, dou
   }
   r[0] = length[0] * length[3] - length[1] * length[2];
   if (!J) return;
+
   const double slope[4] = {length[3], -length[2], -length[1], length[0]};
   for (int c = 0; c < n; c++) J[c] = 0;
   for (int k = 0; k < 4; k++) {
@@ -29,6 +35,8 @@ static void proportional(int n, const double *x, const double *p, double *r, dou
   }
 }
 
+/* An element per geodesic edge between two strips: a and b are its ends, and the other ends of the
+ * edges across lie on the neighboring geodesics. */
 static void add_proportional(lam_scope *scope, int family, double weight) {
   const lam_net *net = scope->net;
   lam_edge_list list = lam_edge_list_new(scope->problem->arena, 4, net->edge_count);
@@ -40,20 +48,20 @@ static void add_proportional(lam_scope *scope, int family, double weight) {
     lam_opposite_edge(net, edge->face[1], edge, right);
     lam_edge_list_push(&list, (int[8]){a, left[0], a, right[0], b, left[1], b, right[1]});
   }
-  lam_problem_add(scope->problem, (lam_block){.name = "strip-widths",
-                                              .kernel = proportional,
-                                              .rows = 1,
-                                              .weight = weight,
-                                              .count = list.count,
-                                              .arity = 8,
-                                              .nodes = list.nodes});
+
+  lam_block block = {.name = "strip-widths", .kernel = proportional, .rows = 1, .arity = 8};
+  block.weight = weight;
+  block.count = list.count;
+  block.nodes = list.nodes;
+  lam_problem_add(scope->problem, block);
 }
 
-/* Both ends of every geodesic edge: the edges across in the face on one of its sides. */
+/* An element per face: the edges across its strip at both ends. */
 static void add_constant(lam_scope *scope, int family, double weight) {
   const lam_net *net = scope->net;
   lam_edge_list list = lam_edge_list_new(scope->problem->arena, 2, net->mesh.face_count);
   bool *done = LAM_NEW(scope->problem->arena, bool, net->mesh.face_count);
+
   for (int e = 0; e < net->edge_count; e++)
     for (int side = 0; side < 2; side++) {
       const lam_edge *edge = &net->edges[e];
@@ -63,15 +71,19 @@ static void add_constant(lam_scope *scope, int family, double weight) {
       lam_opposite_edge(net, f, edge, other);
       lam_edge_list_push(&list, (int[4]){edge->vertex[0], other[0], edge->vertex[1], other[1]});
     }
+
+  static const double difference[2] = {1, -1};
   lam_edge_sum_add(scope, "strip-widths", weight, &list, difference);
 }
 
+/* Equal widths are equal edges along the lines across the strips. */
 static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_strip_params *given = params;
+  const lam_equal_edges_params across = {!given->family, LAM_LINES_ALL};
+
   switch ((lam_widths)given->widths) {
   case LAM_WIDTHS_EQUAL:
-    lam_con_equal_edges.add(scope, &(lam_equal_edges_params){!given->family, LAM_LINES_ALL}, weight,
-                            location);
+    lam_con_equal_edges.add(scope, &across, weight, location);
     break;
   case LAM_WIDTHS_PROPORTIONAL:
     add_proportional(scope, given->family, weight);
@@ -93,10 +105,8 @@ static const lam_key keys[] = {
 const lam_constraint_kind lam_con_strip_widths = {
     {"strip-widths", "Widths of strips",
      "Controls the widths of the strips between geodesics. With equal or proportional widths and "
-     "geodesic-parallel the "
-     "net is isometric to a surface of revolution, and equal strips unroll to copies of one "
-     "pattern; with constant "
-     "widths it is nearly developable.",
+     "geodesic-parallel the net is isometric to a surface of revolution, and equal strips unroll "
+     "to copies of one pattern; with constant widths it is nearly developable.",
      "w(a, s) w(b, s+1) = w(a, s+1) w(b, s)", "thesis 3.3.3, eq. 3.8, and 4.4.1", keys,
      sizeof(lam_strip_params)},
     add};

@@ -1,7 +1,9 @@
+/* Arrays that grow in an arena. Called through LAM_APPEND by core/stage.c, fab and net. */
 #include "core/grow.h"
 
 #include <string.h>
 
+/* Capacity doubles, so that n appended items cost O(n) copies. */
 void *lam_grow(lam_arena *arena, void *items, int count, int *capacity, size_t size) {
   if (count < *capacity) return items;
 

@@ -1,4 +1,5 @@
-/* Registries: finding a row, and adding those of a program. Called by the parser and the reference. */
+/* Registries: finding a row, and adding the rows of a program. Called by design/fill.c, which reads
+ * designs; rows are looked up by name in cli and bench too. */
 #include "core/key.h"
 
 #include <string.h>
@@ -9,6 +10,7 @@ const lam_row_head *lam_registry_find(const lam_registry *registry, const char *
   return NULL;
 }
 
+/* The registry's own rows come first, so that an added row cannot take the name of one of them. */
 const lam_registry *lam_registry_with(lam_arena *arena, const lam_registry *registry,
                                       const lam_added_rows *added) {
   if (!added || added->registry != registry || !added->count) return registry;

@@ -1,7 +1,7 @@
 /* Keys of the design language. Every registry row (surface, net, constraint, part, ...) lists its
- * keys in one table; the parser fills the row's parameter struct from it, and the help, the
- * reference pages and the tests read the same table. Defaults are texts in the design language, so
- * that there is one parser and one source for them.
+ * keys in one table; the parser (design/fill.c) fills the row's parameter struct from it, and the
+ * help, the reference pages (library/) and the tests read the same table. Defaults are texts in the
+ * design language, so that there is one parser and one source for them.
  *
  * How a value is stored at `offset` in the parameter struct:
  *   type            count 1                  count n > 1       count 0 (any number)
@@ -37,14 +37,17 @@ typedef enum lam_key_type {
  * bare number with a unit missing is an error, except 0. */
 typedef enum lam_key_unit { LAM_UNIT_NONE, LAM_UNIT_LENGTH, LAM_UNIT_ANGLE } lam_key_unit;
 
+/* One key. A table of keys ends with one whose name is NULL. */
 typedef struct lam_key {
-  const char *name;
+  const char *name; /* as written before the colon */
   lam_key_type type;
-  lam_key_unit unit;
-  size_t offset;
-  int count;
+  lam_key_unit unit;   /* of a NUMBER; LAM_UNIT_NONE for all other types */
+  size_t offset;       /* in the parameter struct, where the value is stored */
+  int count;           /* 1: one value; n > 1: a list of n; 0: a list of any length */
   const char *initial; /* the default, as it would stand in a design; NULL: the key must be given */
-  double min, max; /* for NUMBER and INTEGER, in stored units, inclusive; min == max: no limit */
+  /* NUMBER, INTEGER: limits in stored units, inclusive. min == max: none; -1e300 or 1e300: none on
+   * that side. */
+  double min, max;
   const char *const *choices; /* CHOICE: NULL-terminated */
   const struct lam_key *keys; /* MAP: keys of the nested struct; ROW: keys accepted beside every
                                  row's own; may be NULL */
@@ -52,15 +55,16 @@ typedef struct lam_key {
   const struct lam_registry *rows; /* ROW: the registry that `kind:` is looked up in */
   size_t given_offset; /* when not 0: a bool there says whether the design gave the key */
   const char *doc;     /* one sentence, for the reference page */
-} lam_key;             /* a table ends with a key whose name is NULL */
+} lam_key;
 
+/* The value of a key with count 0. */
 typedef struct lam_list {
   int count;
   void *items; /* count values, contiguous; owned by the design's arena */
 } lam_list;
 
-/* The common head of every registry row. A kind is a struct whose first member is a lam_row_head.
- */
+/* The common head of every registry row: a kind (of surfaces, nets, ...) is a struct whose first
+ * member is a lam_row_head. */
 typedef struct lam_row_head {
   const char *name;     /* as written after `kind:` */
   const char *title;    /* a few words */
@@ -79,21 +83,21 @@ typedef struct lam_registry {
   int count;
 } lam_registry;
 
-/* A parsed choice of a row with its parameters. head is NULL when the design does not give the key.
- */
+/* A row that a design has chosen, with its parameters. head is NULL when the design does not give
+ * the key. Owned by the design's arena. */
 typedef struct lam_row {
   const lam_row_head *head;
   void *params; /* of head->params_size bytes, filled from head->keys */
   void *common; /* of the key's size bytes, filled from the key's own keys: those that every row of
-                 * the registry accepts
-                 */
+                 * the registry accepts */
   lam_location location; /* where it stands in the design */
 } lam_row;
 
-/* Rows of key tables. `of` is the parameter struct, `member` where the value goes; how many values
- * a key takes follows from the member: a lam_list takes any number, an array as many as it has,
- * everything else one. Further fields may follow the sentence: LAM_GIVEN(of, flag), .keys = ...,
- * .size = ... */
+/* ---- rows of key tables ----
+ *
+ * `of` is the parameter struct, `member` where the value goes; how many values a key takes follows
+ * from the member: a lam_list takes any number, an array as many as it has, everything else one.
+ * Further fields may follow the sentence: LAM_GIVEN(of, flag), .keys = ..., .size = ... */
 #define LAM_NUMBER_KEY(of, key, member, initial, min, max, doc, ...)                               \
   LAM_RANGE_KEY_(of, key, member, NUMBER, double, LAM_UNIT_NONE, initial, min, max, doc,           \
                  __VA_ARGS__)
@@ -142,7 +146,9 @@ typedef struct lam_row {
                                                                 .max = most, __VA_ARGS__           \
   }
 
-/* The row called name, or NULL. */
+/* ---- registries ---- */
+
+/* The row called name, or NULL; the first one when several have the name. */
 const lam_row_head *lam_registry_find(const lam_registry *registry, const char *name);
 
 /* Rows that a program adds to a registry, for its own designs. */
@@ -152,8 +158,8 @@ typedef struct lam_added_rows {
   const lam_row_head *const *rows;
 } lam_added_rows;
 
-/* The registry with the rows that were added to it, in arena; the registry itself when there are
- * none. added may be NULL, or of another registry. */
+/* The registry with the rows that were added to it behind its own, in arena; the registry itself
+ * when there are none. added may be NULL, or for another registry. */
 const lam_registry *lam_registry_with(lam_arena *arena, const lam_registry *registry,
                                       const lam_added_rows *added);
 

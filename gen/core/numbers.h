@@ -1,4 +1,4 @@
-/* Constants that many files need, each once. */
+/* Constants that many files need, each once. Used in every folder. */
 #ifndef LAM_CORE_NUMBERS_H
 #define LAM_CORE_NUMBERS_H
 

@@ -1,4 +1,7 @@
+/* Outside programs: found in PATH, started with their output on a pipe, ended when their time is
+ * up. Called by library/. */
 #include "core/process.h"
+#include "core/clock.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -20,26 +23,33 @@ static const lam_location nowhere;
 
 /* ---- finding the program ---- */
 
+/* A plain file that this user may execute. */
 static bool is_program(const char *path) {
   struct stat facts;
   return stat(path, &facts) == 0 && S_ISREG(facts.st_mode) && access(path, X_OK) == 0;
 }
 
+/* Searched as the shell does: a program with a slash is a path, any other one is looked up in each
+ * folder of PATH in turn. */
 bool lam_process_exists(const char *program) {
   if (strchr(program, '/')) return is_program(program);
+
   const char *path = getenv("PATH");
   while (path && *program) {
+    /* An empty entry of PATH stands for the current folder. */
     size_t length = strcspn(path, ":");
     char candidate[PATH_MAX];
     int written =
         snprintf(candidate, sizeof candidate, "%.*s/%s", (int)length, length ? path : ".", program);
     if (length == 0) written = snprintf(candidate, sizeof candidate, "./%s", program);
+
     if (written > 0 && (size_t)written < sizeof candidate && is_program(candidate)) return true;
     path = path[length] ? path + length + 1 : NULL;
   }
   return false;
 }
 
+/* Says that the program is not installed, and in which package it is when the caller knows. */
 static lam_status report_missing(const lam_process *process, lam_errors *errors) {
   const char *program = process->arguments[0];
   if (process->package) {
@@ -53,42 +63,42 @@ static lam_status report_missing(const lam_process *process, lam_errors *errors)
 
 /* ---- environment ---- */
 
+/* Whether a and b, both "NAME=value", are of the same variable. */
 static bool same_name(const char *a, const char *b) {
   size_t length = strcspn(a, "=");
   return strncmp(a, b, length) == 0 && b[length] == '=';
 }
 
-/* The environment of this process with the additions, which replace variables of the same name. */
+/* The environment of this process with the additions, which replace variables of the same name.
+ * NULL-terminated, in arena; own variables are kept by pointer. additions may be NULL. */
 static char **merge_environment(lam_arena *arena, const char *const *additions) {
   size_t own = 0, more = 0, count = 0;
   while (environ[own]) own++;
   while (additions && additions[more]) more++;
+
   char **merged = LAM_NEW(arena, char *, own + more + 1);
   for (size_t i = 0; i < own; i++) {
     bool replaced = false;
     for (size_t k = 0; k < more; k++) replaced |= same_name(additions[k], environ[i]);
     if (!replaced) merged[count++] = environ[i];
   }
+
   for (size_t k = 0; k < more; k++) merged[count++] = lam_arena_copy(arena, additions[k]);
   return merged;
 }
 
 /* ---- running ---- */
 
-static double now(void) {
-  struct timespec time;
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
-/* Starts the program with its stdout and stderr on pipe_end. Returns 0 or an error number. It leads
- * a process group of its own, so that a timeout ends what it started too. */
+/* Starts the program with its stdout and stderr on pipe_end (stdout in the output file when there
+ * is one). It leads a process group of its own, so that a timeout ends what it started too.
+ * Returns 0 with *pid, or an error number. */
 static int start(const lam_process *process, char **environment, int pipe_end, pid_t *pid) {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   posix_spawn_file_actions_init(&actions);
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   if (process->output_path) {
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, process->output_path,
@@ -97,7 +107,10 @@ static int start(const lam_process *process, char **environment, int pipe_end, p
     posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
   }
   posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
+
+  /* Behind the output file, whose path is relative to the folder of this process. */
   if (process->directory) posix_spawn_file_actions_addchdir_np(&actions, process->directory);
+
   int error = posix_spawnp(pid, process->arguments[0], &actions, &attributes,
                            (char *const *)process->arguments, environment);
   posix_spawn_file_actions_destroy(&actions);
@@ -105,20 +118,27 @@ static int start(const lam_process *process, char **environment, int pipe_end, p
   return error;
 }
 
+/* How long to wait for the pipe: milliseconds, rounded up so that the deadline is past afterwards;
+ * -1 without a deadline (0); 0 when it is past. */
+static int milliseconds_until(double deadline) {
+  if (deadline <= 0) return -1;
+  double left = deadline - lam_clock_seconds();
+  if (left <= 0) return 0;
+  return left > 1e6 ? 1000000000 : (int)(left * 1000) + 1;
+}
+
 /* Collects what comes through the pipe until its end. False when the time is up. */
 static bool collect(int pipe_end, double deadline, lam_text *output) {
   char bytes[4096];
   for (;;) {
-    int wait_ms = -1;
-    if (deadline > 0) {
-      double left = deadline - now();
-      if (left <= 0) return false;
-      wait_ms = left > 1e6 ? 1000000000 : (int)(left * 1000) + 1;
-    }
+    int wait_ms = milliseconds_until(deadline);
+    if (wait_ms == 0) return false;
+
     struct pollfd ready = {.fd = pipe_end, .events = POLLIN};
     int found = poll(&ready, 1, wait_ms);
     if (found < 0 && errno != EINTR) return true;
     if (found <= 0) continue;
+
     ssize_t count = read(pipe_end, bytes, sizeof bytes);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return true;
@@ -126,52 +146,73 @@ static bool collect(int pipe_end, double deadline, lam_text *output) {
   }
 }
 
-/* Waits for the end of pid. False when the time is up (a program may close its output long before
- * it ends). */
+/* Waits for the end of pid, and looks for it every 5 ms when there is a deadline (seconds, as
+ * lam_clock_seconds; 0: none). False when the time is up: a program may close its output long
+ * before it ends. */
 static bool wait_for(pid_t pid, double deadline, int *status) {
   for (;;) {
     pid_t ended = waitpid(pid, status, deadline > 0 ? WNOHANG : 0);
     if (ended == pid || (ended < 0 && errno != EINTR)) return true;
     if (ended == 0) {
-      if (now() >= deadline) return false;
+      if (lam_clock_seconds() >= deadline) return false;
       nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
     }
   }
 }
 
+/* Says why the program cannot be started. */
+static lam_status fail_to_start(lam_errors *errors, const char *program, int reason) {
+  lam_error_add(errors, nowhere, NULL, "%s: cannot be started: %s", program, strerror(reason));
+  return LAM_IO;
+}
+
+/* Whether the folder to start in is there; a message otherwise. */
+static bool check_directory(const lam_process *process, lam_errors *errors) {
+  struct stat facts;
+  if (!process->directory) return true;
+  if (stat(process->directory, &facts) == 0 && S_ISDIR(facts.st_mode)) return true;
+
+  lam_error_add(errors, nowhere, NULL, "%s: no such folder to run %s in", process->directory,
+                process->arguments[0]);
+  return false;
+}
+
+/* The output is read until the pipe ends, and only then is the end of the program waited for: a
+ * program that writes more than a pipe holds would never end otherwise. */
 lam_status lam_process_run(const lam_process *process, int *exit_code, lam_errors *errors) {
   const char *program = process->arguments[0];
   if (!lam_process_exists(program)) return report_missing(process, errors);
-  struct stat facts;
-  if (process->directory && (stat(process->directory, &facts) != 0 || !S_ISDIR(facts.st_mode))) {
-    lam_error_add(errors, nowhere, NULL, "%s: no such folder to run %s in", process->directory,
-                  program);
-    return LAM_IO;
-  }
+  if (!check_directory(process, errors)) return LAM_IO;
+
+  /* Memory first: running out of it jumps, and the pipe would stay open. */
   char **environment = merge_environment(errors->arena, process->environment);
+
+  /* Other programs that are started meanwhile do not inherit the pipe, and cannot hold it open. */
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    lam_error_add(errors, nowhere, NULL, "%s: cannot be started: %s", program, strerror(errno));
-    return LAM_IO;
-  }
+  if (pipe2(ends, O_CLOEXEC) != 0) return fail_to_start(errors, program, errno);
+
+  /* The program alone keeps the writing end: the pipe ends with it. */
   pid_t pid;
   int error = start(process, environment, ends[1], &pid);
   close(ends[1]);
   if (error) {
     close(ends[0]);
-    lam_error_add(errors, nowhere, NULL, "%s: cannot be started: %s", program, strerror(error));
-    return LAM_IO;
+    return fail_to_start(errors, program, error);
   }
-  double deadline = process->timeout > 0 ? now() + process->timeout : 0;
+
+  double deadline = process->timeout > 0 ? lam_clock_seconds() + process->timeout : 0;
   int status = 0;
   bool ended = collect(ends[0], deadline, process->output) && wait_for(pid, deadline, &status);
   close(ends[0]);
+
+  /* The whole process group is killed, and waited for so that nothing of it is left. */
   if (!ended) {
     kill(-pid, SIGKILL);
     wait_for(pid, 0, &status);
     lam_error_add(errors, nowhere, NULL, "%s: stopped after %g s", program, process->timeout);
     return LAM_FAILED;
   }
+
   if (exit_code) *exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   return LAM_OK;
 }

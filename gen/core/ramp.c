@@ -1,16 +1,20 @@
+/* Color scales, computed in a color space where equal steps look equal. Called by formats/plot and
+ * surf/flatten. */
 #include "core/ramp.h"
 #include "core/numbers.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Oklab, where distances are perceived differences: lightness, and chroma at a hue angle. Ottosson,
- * A perceptual color space for image processing (2020). */
+/* From Oklab, where distances are perceived differences, to linear sRGB: lightness in [0, 1], and
+ * chroma at a hue angle (radians). Two linear maps with a cube between them. Ottosson, A perceptual
+ * color space for image processing (2020). The result may lie outside of [0, 1]. */
 static lam_rgb from_oklab(double lightness, double chroma, double hue) {
   double a = chroma * cos(hue), b = chroma * sin(hue);
   double l = lightness + .3963377774 * a + .2158037573 * b,
          m = lightness - .1055613458 * a - .0638541728 * b,
          s = lightness - .0894841775 * a - 1.2914855480 * b;
+
   l = l * l * l, m = m * m * m, s = s * s * s;
   return (lam_rgb){4.0767416621 * l - 3.3077115913 * m + .2309699292 * s,
                    -1.2684380046 * l + 2.6097574011 * m - .3413193965 * s,
@@ -21,11 +25,12 @@ static bool in_gamut(lam_rgb c) {
   return fmin(fmin(c.r, c.g), c.b) >= 0 && fmax(fmax(c.r, c.g), c.b) <= 1;
 }
 
-/* The color of this lightness and hue with the given chroma, or the largest that a screen can show.
- */
+/* The color of this lightness and hue with the given chroma, or the largest that a screen can show
+ * (found by bisection; gray can always be shown). */
 static lam_rgb color_of(double lightness, double chroma, double degrees) {
   double hue = degrees * LAM_PI / 180, low = 0, high = chroma;
   if (in_gamut(from_oklab(lightness, chroma, hue))) return from_oklab(lightness, chroma, hue);
+
   for (int i = 0; i < 40; i++) {
     double middle = (low + high) / 2;
     if (in_gamut(from_oklab(lightness, middle, hue)))

@@ -1,3 +1,4 @@
+/* Stages of a report. Called by surf, fab and design. */
 #include "core/stage.h"
 #include "core/grow.h"
 
@@ -9,8 +10,10 @@ lam_stage lam_stage_begin(const char *name) {
   return (lam_stage){.name = name, .converged = true, .reason = "done", .iterations = -1};
 }
 
+/* The model's stages keep no capacity. They have few measures and notes: the array is copied for
+ * each. */
 void lam_stage_measure_add(lam_arena *arena, lam_stage *stage, lam_measure measure) {
-  int capacity = stage->measure_count; /* a stage has few measures: the array is copied for each */
+  int capacity = stage->measure_count;
   LAM_APPEND(arena, stage->measures, stage->measure_count, capacity, measure);
 }
 
@@ -19,6 +22,7 @@ void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, con
   lam_stage_measure_add(arena, stage, (lam_measure){name, unit, NAN, max, mean, count});
 }
 
+/* Copied into the arena after formatting: as long as the sentence, not as the buffer. */
 void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) {
   char text[512];
   va_list arguments;

@@ -1,3 +1,6 @@
+/* Evaluation of spline curves, and the two ways between a curve and its homogeneous spline.
+ * Called by the other files of this folder, by mesh/line_curve.c, and by surf/kinds, surf/spline
+ * and surf/area. */
 #include "curve/curve.h"
 #include "curve/bspline/basis.h"
 #include <assert.h>
@@ -7,9 +10,11 @@
 void lam_spline_curve_eval(const lam_spline_curve *c, double t, int order, lam_vec3 *values) {
   double basis[LAM_BASIS_MAX_VALUES * LAM_BASIS_MAX_VALUES], weight[LAM_BASIS_MAX_VALUES];
   assert(order <= LAM_BASIS_MAX_DEGREE);
-  int span = lam_basis_span(c->degree, c->count, c->knots, t), first = span - c->degree,
-      width = c->degree + 1;
+  int span = lam_basis_span(c->degree, c->count, c->knots, t);
+  int first = span - c->degree, width = c->degree + 1;
   lam_basis_eval(c->degree, c->knots, span, t, order, basis);
+
+  /* A and W with their derivatives: the numerator goes to values. */
   for (int k = 0; k <= order; k++) {
     values[k] = lam_v3(0, 0, 0);
     weight[k] = 0;
@@ -19,6 +24,8 @@ void lam_spline_curve_eval(const lam_spline_curve *c, double t, int order, lam_v
       weight[k] += w;
     }
   }
+
+  /* The quotient, from the lowest derivative up. */
   for (int k = 0; c->weights && k <= order; k++) {
     double binomial = 1;
     for (int i = 1; i <= k; i++) {
@@ -29,10 +36,12 @@ void lam_spline_curve_eval(const lam_spline_curve *c, double t, int order, lam_v
   }
 }
 
+/* lam_curve.eval of a spline curve. */
 static void eval_spline(const void *data, double t, int order, lam_vec3 *values) {
   lam_spline_curve_eval(data, t, order, values);
 }
 
+/* Repeated knots give one break; the ends of the domain are none. */
 lam_curve lam_curve_of_spline(lam_arena *arena, const lam_spline_curve *spline) {
   double *breaks = LAM_NEW(arena, double, spline->count), high = spline->knots[spline->count];
   int count = 0;
@@ -43,14 +52,16 @@ lam_curve lam_curve_of_spline(lam_arena *arena, const lam_spline_curve *spline) 
   return (lam_curve){eval_spline, spline, spline->knots[spline->degree], high, count, breaks};
 }
 
-const double *lam_curve_places(lam_arena *arena, const lam_curve *curve) {
-  double *places = LAM_NEW(arena, double, curve->break_count + 2);
-  places[0] = curve->from;
-  for (int i = 0; i < curve->break_count; i++) places[i + 1] = curve->breaks[i];
-  places[curve->break_count + 1] = curve->to;
-  return places;
+/* The list that integration and sampling go along, part by part. */
+const double *lam_curve_breakpoints(lam_arena *arena, const lam_curve *curve) {
+  double *breakpoints = LAM_NEW(arena, double, curve->break_count + 2);
+  breakpoints[0] = curve->from;
+  for (int i = 0; i < curve->break_count; i++) breakpoints[i + 1] = curve->breaks[i];
+  breakpoints[curve->break_count + 1] = curve->to;
+  return breakpoints;
 }
 
+/* Degree and count first: the test of the knots needs them. */
 const char *lam_spline_curve_problem(const lam_spline_curve *curve) {
   if (curve->degree < 1 || curve->degree > LAM_BASIS_MAX_DEGREE) return "has a degree out of range";
   if (curve->count <= curve->degree) return "has too few points for its degree";
@@ -60,6 +71,7 @@ const char *lam_spline_curve_problem(const lam_spline_curve *curve) {
                            curve->knots);
 }
 
+/* (w x, w y, w z, w) per point, without w when the curve is polynomial. */
 lam_bspline lam_spline_curve_net(lam_arena *arena, const lam_spline_curve *curve, bool rational) {
   int n = rational || curve->weights ? 4 : 3;
   double *values = LAM_NEW(arena, double, curve->count *n);
@@ -73,6 +85,7 @@ lam_bspline lam_spline_curve_net(lam_arena *arena, const lam_spline_curve *curve
   return (lam_bspline){curve->degree, curve->count, n, curve->knots, values};
 }
 
+/* Divides by w where there is one. */
 lam_spline_curve lam_spline_curve_from_net(lam_arena *arena, lam_bspline net) {
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, net.count);
   double *weights = net.dimension == 4 ? LAM_NEW(arena, double, net.count) : NULL;

@@ -1,4 +1,5 @@
-/* How smoothly two curves join. */
+/* How smoothly two curves join. Part of the curve kernel, called by its users only
+ * (tests/unit/test_curve_geometry.c); surf/spline/surface_join.c is its like for surfaces. */
 #ifndef LAM_CURVE_CURVE_JOIN_H
 #define LAM_CURVE_CURVE_JOIN_H
 
@@ -15,17 +16,21 @@ typedef struct lam_join {
   double kink;               /* angle between the tangents, rad */
   double curvature_gap;      /* |curvature vector of Q - that of P|, 1/m */
   double derivative_gap[2];  /* |Q' - P'| and |Q'' - P''|, m per parameter */
-  const char
-      *fails[2]; /* the first condition that fails, for C^n and for G^n; NULL when none does */
+  /* The first condition that fails, for C^n and for G^n, as a sentence; NULL when none does. */
+  const char *fails[2];
 } lam_join;
 
-/* end, start: point, first and second derivative of the first curve at its end and of the second at
- * its start. tolerance is relative: lengths to `size` (m, of the curves), angles in radians,
- * derivatives to their own size and curvatures to 1/size or the curvature, whichever is larger. */
+/* Compares two ends. Static texts; nothing is allocated.
+ *
+ * end, start  point, first and second derivative of the first curve at its end and of the second
+ *             at its start
+ * size        extent of the curves, m
+ * tolerance   relative: lengths to size, angles in radians, derivatives to their own size,
+ *             curvatures to 1 / size or the curvature, whichever is larger */
 lam_join lam_join_test(const lam_vec3 end[3], const lam_vec3 start[3], double size,
                        double tolerance);
-/* The end of the first curve against the start of the second; size is the extent of their control
- * points. */
+/* The end of the first curve against the start of the second; size is the largest distance of a
+ * control point from the end that joins. */
 lam_join lam_join_curves(const lam_spline_curve *first, const lam_spline_curve *second,
                          double tolerance);
 

@@ -1,4 +1,5 @@
-/* The top level of a design. */
+/* The top level of a design: its keys and those of render, sheets and texture. Read by parse.c, and
+ * by library/ for reference pages. */
 #include "design/design.h"
 #include "fab/workshop.h"
 #include "net/net_kind.h"
@@ -6,9 +7,10 @@
 #include "surf/placement.h"
 #include "surf/surface.h"
 
-#define IN_RENDER(member) offsetof(lam_render_keys, member)
-
+/* Versions of the design language that are understood. */
 static const char *const languages[] = {"1", NULL};
+
+/* Sections of templates/pov/render.ini. */
 const char *const lam_qualities[] = {"draft", "golden", "mask",  "thumb", "middle",
                                      "final", "exact",  "print", NULL};
 
@@ -19,22 +21,13 @@ static const lam_key render_keys[] = {
                  "The camera: a view that the setting knows, or auto."),
     LAM_INTEGER_KEY(lam_render_keys, "size", size, "[1600, 900]", 16, 16384,
                     "Width and height of the picture in pixels."),
-    {
-        .name = "quality",
-        .type = LAM_KEY_CHOICE,
-        .offset = IN_RENDER(quality_index),
-        .count = 1,
-        .initial = "final",
-        .choices = lam_qualities,
-        .doc = "A section of templates/pov/render.ini: draft takes seconds and has no indirect "
-               "light, thumb (for small "
-               "pictures) and middle a minute, "
-               "final "
-               "minutes, print longer; exact is final with the same pixels every time; golden and "
-               "mask (a flat color "
-               "per part) "
-               "are for comparing.",
-    },
+    /* The parser stores the index; the word itself follows from it (parse.c). */
+    LAM_CHOICE_KEY(
+        lam_render_keys, "quality", quality_index, "final", lam_qualities,
+        "A section of templates/pov/render.ini: draft takes seconds and has no indirect "
+        "light, thumb (for small pictures) and middle a minute, final minutes, print "
+        "longer; exact is final with the same pixels every time; golden and mask (a flat "
+        "color per part) are for comparing."),
     {.name = NULL},
 };
 

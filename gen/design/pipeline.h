@@ -7,9 +7,15 @@
 #include "design/design.h"
 #include "design/inputs.h"
 
-/* Builds the model of a parsed design from what was read for it; the design is only read. progress
- * may be NULL. Wrong input adds to errors and returns false; a net that does not converge is no
- * error: the report says so. Everything is owned by arena. */
+/* Builds the model of a parsed design from what was read for it.
+ *
+ *   design    read only; kept by pointer: it has to live as long as the model
+ *   inputs    what the design names outside itself; kept by pointer too
+ *   progress  told of every stage; may be NULL
+ *   model     filled anew; all of it is owned by arena
+ *
+ * Wrong input adds to errors and returns false; model is not complete then. A net that does not
+ * converge is no error: the report says so. */
 bool lam_pipeline_run(lam_arena *arena, const lam_design *design, const lam_inputs *inputs,
                       const lam_progress *progress, lam_errors *errors, lam_model *model);
 

@@ -1,65 +1,32 @@
-/* From a design to a model: surface, net, color maps, parts, sheets, report. Called by library/. */
+/* From a design to a model: the stages in their order, then supports, picture and report. Called by
+ * library/. */
 #include "core/solid/triangles.h"
 #include "design/stages.h"
 
 #include <string.h>
 
-/* ---- where it stands ---- */
+/* ---- what follows from the stages ---- */
 
 /* Supports: boundary vertices that no neighbor is lower than, within a fiftieth of the height above
  * the lowest. */
-static void find_supports(lam_build *p) {
-  const lam_net *net = p->net;
+static void find_supports(lam_build *build) {
+  const lam_net *net = build->net;
   const lam_vec3 *x = net->mesh.vertices;
   lam_vec3 low, high;
   lam_points_bounds(x, net->mesh.vertex_count, &low, &high);
-  lam_vec3 *supports = LAM_NEW(p->arena, lam_vec3, net->mesh.vertex_count);
+
+  lam_vec3 *supports = LAM_NEW(build->arena, lam_vec3, net->mesh.vertex_count);
   for (int v = 0; v < net->mesh.vertex_count; v++) {
     bool lowest = net->boundary[v] && x[v].z <= low.z + .02 * (high.z - low.z);
     for (int i = net->ring_start[v]; i < net->ring_start[v + 1]; i++)
       lowest &= x[net->ring[i]].z >= x[v].z;
-    if (lowest) supports[p->model->support_count++] = x[v];
+    if (lowest) supports[build->model->support_count++] = x[v];
   }
-  p->model->supports = supports;
+  build->model->supports = supports;
 }
 
-static void collect_report(lam_build *p, const lam_workshop *workshop) {
-  lam_report *report = LAM_NEW(p->arena, lam_report, 1);
-  report->stages = LAM_NEW(p->arena, lam_stage, p->stage_count + workshop->stage_count);
-  int own = 0;
-  while (own < p->stage_count && strcmp(p->stages[own].name, "sheets") != 0)
-    report->stages[report->stage_count++] = p->stages[own++];
-  for (int i = 0; i < workshop->stage_count; i++)
-    report->stages[report->stage_count++] = workshop->stages[i];
-  while (own < p->stage_count) report->stages[report->stage_count++] = p->stages[own++];
-  p->model->report = report;
-}
-
-bool lam_report_converged(const lam_report *report) {
-  for (int i = 0; i < report->stage_count; i++)
-    if (!report->stages[i].converged) return false;
-  return true;
-}
-
-bool lam_pipeline_run(lam_arena *arena, const lam_design *design, const lam_inputs *inputs,
-                      const lam_progress *progress, lam_errors *errors, lam_model *model) {
-  *model = (lam_model){.name = design->name,
-                       .title = design->title,
-                       .source = design->source,
-                       .version = LAM_VERSION};
-  lam_build p = {.arena = arena,
-                 .design = design,
-                 .inputs = inputs,
-                 .progress = progress,
-                 .errors = errors,
-                 .model = model};
-  if (!lam_build_surface(&p) || !lam_build_net(&p) || !lam_build_maps(&p)) return false;
-  lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
-  *workshop = (lam_workshop){
-      .arena = arena, .errors = errors, .progress = progress, .net = p.net, .normals = p.normals};
-  lam_build_keep_surface(&p, workshop);
-  if (!lam_build_print(&p, workshop) || !lam_build_parts(&p, workshop)) return false;
-  lam_build_keep_lines(&p, workshop);
+/* What the parts have left in the workshop becomes that of the model; arrays are shared. */
+static void keep_workshop(lam_model *model, const lam_workshop *workshop) {
   model->surface_count = workshop->surface_count;
   model->surfaces = workshop->surfaces;
   model->curve_count = workshop->curve_count;
@@ -70,12 +37,66 @@ bool lam_pipeline_run(lam_arena *arena, const lam_design *design, const lam_inpu
   model->record_kinds = workshop->record_kinds;
   model->crossing_count = workshop->crossing_count;
   model->crossings = workshop->crossings;
-  if (!lam_build_sheets(&p, workshop)) return false;
-  if (p.net) find_supports(&p);
-  if (design->has_render || workshop->part_count || p.net)
-    model->picture =
-        (lam_picture){design->render.setting, design->render.view, design->render.size[0],
-                      design->render.size[1], design->render.quality};
-  collect_report(&p, workshop);
+}
+
+/* The picture that the design asks for, or the default one when there is anything to see. */
+static void keep_picture(lam_build *build) {
+  const lam_render_keys *render = &build->design->render;
+  if (build->design->has_render || build->model->part_count || build->net)
+    build->model->picture = (lam_picture){render->setting, render->view, render->size[0],
+                                          render->size[1], render->quality};
+}
+
+/* The stages of the build and those of the parts, in the order in which they ran: sheets are made
+ * after the parts, all else before them. */
+static void collect_report(lam_build *build, const lam_workshop *workshop) {
+  lam_report *report = LAM_NEW(build->arena, lam_report, 1);
+  report->stages = LAM_NEW(build->arena, lam_stage, build->stage_count + workshop->stage_count);
+
+  int own = 0;
+  while (own < build->stage_count && strcmp(build->stages[own].name, "sheets") != 0)
+    report->stages[report->stage_count++] = build->stages[own++];
+  for (int i = 0; i < workshop->stage_count; i++)
+    report->stages[report->stage_count++] = workshop->stages[i];
+  while (own < build->stage_count) report->stages[report->stage_count++] = build->stages[own++];
+
+  build->model->report = report;
+}
+
+/* ---- the pipeline ---- */
+
+/* The first stage that finds the input wrong ends the build. */
+bool lam_pipeline_run(lam_arena *arena, const lam_design *design, const lam_inputs *inputs,
+                      const lam_progress *progress, lam_errors *errors, lam_model *model) {
+  *model = (lam_model){.name = design->name,
+                       .title = design->title,
+                       .source = design->source,
+                       .version = LAM_VERSION};
+  lam_build build = {.arena = arena,
+                     .design = design,
+                     .inputs = inputs,
+                     .progress = progress,
+                     .errors = errors,
+                     .model = model};
+
+  /* The geometry. */
+  if (!lam_build_surface(&build) || !lam_build_net(&build) || !lam_build_maps(&build)) return false;
+
+  /* What is made from it. */
+  lam_workshop *workshop = LAM_NEW(arena, lam_workshop, 1);
+  *workshop = (lam_workshop){.arena = arena,
+                             .errors = errors,
+                             .progress = progress,
+                             .net = build.net,
+                             .normals = build.normals};
+  lam_build_keep_surface(&build, workshop);
+  if (!lam_build_print(&build, workshop) || !lam_build_parts(&build, workshop)) return false;
+  lam_build_keep_lines(&build, workshop);
+  keep_workshop(model, workshop);
+  if (!lam_build_sheets(&build, workshop)) return false;
+
+  if (build.net) find_supports(&build);
+  keep_picture(&build);
+  collect_report(&build, workshop);
   return true;
 }

@@ -1,4 +1,5 @@
-/* The state of a build, and its stages: for the files pipeline_run.c and *_stage.c of design/. */
+/* The state of a build, and its stages: for the files pipeline_run.c, stage_clock.c and *_stage.c
+ * of design/. */
 #ifndef LAM_DESIGN_STAGES_H
 #define LAM_DESIGN_STAGES_H
 
@@ -10,42 +11,65 @@
 #include "net/trace/start.h"
 #include "surf/surface.h"
 
+/* What a build was given, what it has made so far, and its part of the report. */
 typedef struct lam_build {
-  lam_arena *arena;
+  /* Given; not NULL but for progress. */
+  lam_arena *arena; /* owns all that is made */
   const lam_design *design;
   const lam_inputs *inputs;
-  const lam_progress *progress;
+  const lam_progress *progress; /* NULL: nobody watches */
   lam_errors *errors;
-  lam_model *model;
-  lam_surface surface;
+  lam_model *model; /* stages fill what is theirs */
+
+  /* Made. Positions in meters. */
+  lam_surface surface;     /* in its own units and axes; kind is NULL: none */
   lam_net *net;            /* NULL: none */
   lam_measuring measuring; /* of the net */
   lam_vec3 *normals;       /* unit, per vertex of the net */
-  lam_placement placement; /* of the surface */
-  int sampled;             /* vertices of the net as it was sampled */
+  lam_placement placement; /* of the surface: where the net stands on it */
+  int sampled;             /* vertices of the net as it was sampled, before it was refined */
+
+  /* Reported. */
   int stage_count;
   lam_stage stages[4]; /* surface, net, texture, sheets; parts bring their own */
-  double since;        /* when the stage began */
+  double since;        /* when the last stage began (lam_clock_seconds) */
 } lam_build;
 
-/* A stage of the report begins, and its time, until the next one begins; pipeline_clock.c. */
+/* ---- the report (stage_clock.c) ---- */
+
+/* Begins a stage of the report, tells whoever watches, and starts its time. name is kept by
+ * pointer. At most four in a build; the stage stays where it is. */
 lam_stage *lam_build_stage(lam_build *build, const char *name);
+/* Ends the stage that was begun last: sets its seconds. */
 void lam_build_stage_end(const lam_build *build, lam_stage *stage);
 
-/* The stages, in this order. Each returns false with messages when the input is wrong, and true also
- * when the design does not have what it makes. */
+/* ---- the stages ----
+ *
+ * Called by pipeline_run.c: surface, net, maps, keep_surface, print, parts, keep_lines, sheets.
+ * Each bool is false, with messages, when the input is wrong, and true also when the design does
+ * not have what the stage makes. */
 
-/* surface_stage.c: the surface; then, where the net stands, as a spline for parts and writers. */
+/* surface_stage.c: makes the surface of the design. */
 bool lam_build_surface(lam_build *build);
+/* surface_stage.c: adds the surface to the workshop where the net stands, for parts and writers;
+ * nothing when it is no spline or there is no net. */
 void lam_build_keep_surface(const lam_build *build, lam_workshop *workshop);
-/* net_stage.c: the net as it is sampled, traced, read or given, then refined and solved. */
+
+/* net_stage.c: makes the net: sampled, traced, read or given, then refined and solved. A design
+ * with a surface and no net gets a plain mesh of the surface. */
 bool lam_build_net(lam_build *build);
-/* plots_stage.c: color maps of measures; a picture printed on the surface. */
+
+/* plots_stage.c: the color maps of the measures that the design wants drawn. */
 bool lam_build_maps(lam_build *build);
+/* plots_stage.c: the picture printed on the first surface of the workshop. */
 bool lam_build_print(lam_build *build, const lam_workshop *workshop);
-/* parts_stage.c: the rows of parts; lines of the net where no part gives axes; sheets. */
+
+/* parts_stage.c: makes the parts of the design, in the workshop, and looks for clashes. */
 bool lam_build_parts(lam_build *build, lam_workshop *workshop);
+/* parts_stage.c: adds the lines of the net to the workshop's curves where no part has given
+ * axes. */
 void lam_build_keep_lines(const lam_build *build, lam_workshop *workshop);
+/* parts_stage.c: nests the flat parts of the workshop on sheets. */
 bool lam_build_sheets(lam_build *build, const lam_workshop *workshop);
 
 #endif

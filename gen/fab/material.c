@@ -1,3 +1,5 @@
+/* The table of materials, expanded into names and rows. Its figures go into masses, into notes
+ * about the elastic limit and into the colors of glTF files. */
 #include "fab/material.h"
 
 /* Every material once: name, doc, density (kg/m^3), elastic limit (yield or bending strength

@@ -1,6 +1,11 @@
+/* Finding the templates folder and the shipped designs in it. Called by session.c, designs.c and
+ * sections.c. */
 #include "library/templates.h"
 
 #include <dirent.h>
+#include <dlfcn.h>
+#include <errno.h>
+#include <limits.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,25 +17,30 @@ static bool is_folder(const char *path) {
   return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* The folder that the program lies in. */
-static char *program_folder(lam_arena *arena) {
-  enum { longest = 4096 };
-  char *path = lam_arena_alloc(arena, longest, 1);
-  ssize_t length = readlink("/proc/self/exe", path, longest - 1);
-  char *slash = length > 0 ? strrchr(path, '/') : NULL;
+/* The folder that this code lies in: that of the shared library, or of the program. The loader knows
+ * a program only by the name that it was called with. */
+static const char *code_folder(lam_arena *arena) {
+  Dl_info info;
+  char path[PATH_MAX];
+  bool is_library = dladdr((void *)lam_template_dir, &info) && info.dli_fname &&
+                    strcmp(info.dli_fname, program_invocation_name) != 0;
+  if (!realpath(is_library ? info.dli_fname : "/proc/self/exe", path)) return NULL;
+
+  char *slash = strrchr(path, '/');
   if (!slash) return NULL;
   *slash = 0;
-  return path;
+  return lam_arena_copy(arena, path);
 }
 
 const char *lam_template_dir(lam_arena *arena) {
-  static const char *const places[] = {"../templates", "../../templates",
-                                       "../share/lamella/templates", NULL};
+  static const char *const beside[] = {"../templates", "../../templates",
+                                       "../share/lamella/templates",
+                                       "../../share/lamella/templates", NULL};
   const char *chosen = getenv("LAMELLA_TEMPLATES");
   if (chosen && *chosen) return is_folder(chosen) ? lam_arena_copy(arena, chosen) : NULL;
-  const char *folder = program_folder(arena);
-  for (int i = 0; folder && places[i]; i++) {
-    const char *path = lam_arena_printf(arena, "%s/%s", folder, places[i]);
+  const char *folder = code_folder(arena);
+  for (int i = 0; folder && beside[i]; i++) {
+    const char *path = lam_arena_printf(arena, "%s/%s", folder, beside[i]);
     if (is_folder(lam_arena_printf(arena, "%s/designs", path))) return path;
   }
   return NULL;
@@ -48,10 +58,9 @@ static size_t stem_length(const char *name) {
 
 static void close_folder(void *handle) { closedir(handle); }
 
-const char *const *lam_template_designs(lam_arena *arena) {
+const char *const *lam_template_designs(lam_arena *arena, const char *folder) {
   enum { most = 1000 };
   const char **names = LAM_NEW(arena, const char *, most + 1);
-  const char *folder = lam_template_dir(arena);
   DIR *directory = folder ? opendir(lam_arena_printf(arena, "%s/designs", folder)) : NULL;
   if (!directory) return names;
   lam_arena_defer(arena, close_folder, directory);
@@ -65,7 +74,6 @@ const char *const *lam_template_designs(lam_arena *arena) {
   return names;
 }
 
-const char *lam_template_design_path(lam_arena *arena, const char *name) {
-  const char *folder = lam_template_dir(arena);
+const char *lam_template_design_path(lam_arena *arena, const char *folder, const char *name) {
   return lam_arena_printf(arena, "%s/designs/%s.yaml", folder ? folder : ".", name);
 }

@@ -5,12 +5,14 @@
 #include "core/arena.h"
 
 /* The folder, without a slash at the end: $LAMELLA_TEMPLATES; or templates/ beside the build folder
- * of the program; or share/lamella/templates where it is installed. NULL when there is none. */
+ * that this code lies in (the shared library, or the program that it is linked into); or
+ * share/lamella/templates beside the bin or lib folder that it is installed in. NULL when there is
+ * none. */
 const char *lam_template_dir(lam_arena *arena);
-/* The names of the shipped designs (designs/NAME.yaml without the ending), NULL-terminated and
+/* folder: of the templates, or NULL. The names of the shipped designs (designs/NAME.yaml without the ending), NULL-terminated and
  * sorted; empty when there are none. */
-const char *const *lam_template_designs(lam_arena *arena);
+const char *const *lam_template_designs(lam_arena *arena, const char *folder);
 /* The path of a shipped design's file. */
-const char *lam_template_design_path(lam_arena *arena, const char *name);
+const char *lam_template_design_path(lam_arena *arena, const char *folder, const char *name);
 
 #endif

@@ -1,4 +1,5 @@
-/* Coarser nets: every other line of each family, the reverse of a subdivision. */
+/* Coarser nets: every other line of each family, the reverse of a subdivision. net/multilevel.c
+ * solves on them first; design/net_stage.c offers them as an edit of a net. */
 #ifndef LAM_MESH_COARSEN_H
 #define LAM_MESH_COARSEN_H
 
@@ -16,9 +17,9 @@ typedef struct lam_coarse {
 
 /* Leaves out every other line of each family on any net that is a subdivision, with irregular
  * vertices and closed lines. Four faces become one. Open lines with an odd number of edges keep
- * both ends: the last coarse cell is one fine cell wide then. On a grid the vertices (2i, 2j) stay.
- * Returns NULL, or why the net cannot be coarsened (static text); coarse is not filled then. Owned
- * by arena. */
+ * both ends: the last coarse cell is one fine cell wide then. On a grid the vertices (2i, 2j)
+ * stay. Returns NULL, or why the net cannot be coarsened (static text); coarse is not filled then.
+ * Owned by arena. */
 const char *lam_net_coarsen(lam_arena *arena, const lam_net *net, lam_coarse *coarse);
 
 #endif

@@ -1,15 +1,19 @@
-/* Smooth curves along the polylines of a net. */
+/* Smooth curves along the polylines of a net, which fab/workshop.c adds to the model for CAD
+ * programs. */
 #ifndef LAM_MESH_LINE_CURVE_H
 #define LAM_MESH_LINE_CURVE_H
 
 #include "core/arena.h"
 #include "core/model.h"
 
-/* The C2 cubic spline through the vertices of a polyline, with parameters from 0 to 1 like the
- * distances of the vertices; a closed one comes back to its first vertex, C2 there too (to 1e-12).
- * With fewer than four vertices: the polynomial through them. count is 0 when there are no two
- * different places. positions: per vertex of the net. The knots and points are owned by the arena.
- */
+/* The C2 cubic spline through the vertices of a polyline, with parameters from 0 to 1 proportional
+ * to the lengths of its edges; a closed one comes back to its first vertex, C2 there too (to
+ * 1e-12). With fewer than four vertices: the polynomial through them. Vertices that coincide with
+ * the one before are passed once; count is 0 when there are no two different positions.
+ *
+ * positions  per vertex of the net
+ *
+ * Knots and points are owned by arena. */
 lam_spline_curve lam_polyline_curve(lam_arena *arena, const lam_vec3 *positions,
                                     const lam_polyline *line);
 

@@ -1,5 +1,9 @@
+/* The keys that every net accepts beside its own: lam_net_common_keys. Read by
+ * design/design_keys.c, library/registries.c (the reference pages) and cli/verb_check.c. */
 #include "net/handles.h"
 
+/* Words of the choices, in the order of their enums in net/net_kind.h. line_choices: after auto
+ * lam_chart_names in their order. */
 static const char *const stages[] = {"surface", NULL};
 static const char *const line_choices[] = {"auto",           "natural",  "asymptotic",
                                            "principal",      "diagonal", "geodesic-parallel",

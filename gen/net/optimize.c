@@ -1,3 +1,7 @@
+/* The optimization of a net: from a kind's constraints, a start, handles and a reference to
+ * final positions and a verdict. Called by design/net_stage.c and bench/bench_run.c, and by
+ * itself for coarser nets. The solver is solve/guided.c; what each kind demands stands in its
+ * own file under net/kinds. */
 #include "net/optimize.h"
 #include "net/handles.h"
 #include "net/measures/measure.h"
@@ -7,192 +11,108 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct attempt {
+/* One net on its way from its start to its solution. Positions per vertex are in solver units
+ * (the mean edge of the start is 1) unless meters are said. */
+typedef struct optimization {
   lam_arena *arena;
   const lam_net_job *job;
-  lam_net *net;
+  const lam_net_common *keys; /* of the job */
+  lam_net *net;               /* its vertices are those of the start, meters, until the end */
   lam_errors *errors;
-  double unit;
-  const lam_tree *tree;
-  lam_trimesh reference; /* in solver units */
-  int *handle_vertices;
-  int levels;            /* coarser nets that were solved before */
-  bool let_go;           /* handles with release: yes no longer hold */
-  lam_snapshots *frames; /* NULL: none are kept */
-  bool frame_per_step;   /* of the handles; else per iteration */
-} attempt;
 
-static void prepare_reference(attempt *a) {
-  if (!a->job->reference) return;
-  a->reference = *a->job->reference;
-  a->reference.vertices = LAM_NEW(a->arena, lam_vec3, a->reference.vertex_count);
-  for (int v = 0; v < a->reference.vertex_count; v++)
-    a->reference.vertices[v] = lam_scale(a->job->reference->vertices[v], 1 / a->unit);
-  lam_tree *tree = lam_tree_new(&a->reference);
+  double unit;                    /* meters per solver unit */
+  lam_vec3 *start_in_meters;      /* where it starts */
+  lam_vec3 *start;                /* the same in solver units */
+  lam_vec3 *x;                    /* where it is now */
+  lam_trimesh reference;          /* of the job; empty: none */
+  const lam_tree *reference_tree; /* NULL: none */
+
+  lam_list handles; /* of lam_handle, resolved to a vertex and a goal in meters each */
+  int handle_steps; /* solves until the handles have come all their way */
+  int steps;        /* the same, and one more when any handle lets go in the end */
+  double share;     /* in this step: part of their way that the handles have gone */
+  bool let_go;      /* in this step: handles with release: yes no longer hold */
+
+  int levels;            /* coarser nets that were solved before */
+  lam_snapshots *frames; /* NULL: none are kept */
+  bool frame_per_step;   /* of the handles; else per iteration of the solver */
+} optimization;
+
+/* ---- preparation ---- */
+
+/* The reference in solver units and its search tree, where the job has one. */
+static void prepare_reference(optimization *o) {
+  const lam_trimesh *given = o->job->reference;
+  if (!given) return;
+
+  o->reference = *given;
+  o->reference.vertices = LAM_NEW(o->arena, lam_vec3, given->vertex_count);
+  for (int v = 0; v < given->vertex_count; v++)
+    o->reference.vertices[v] = lam_scale(given->vertices[v], 1 / o->unit);
+
+  lam_tree *tree = lam_tree_new(&o->reference);
   if (!tree)
-    lam_error_add(a->errors, a->job->location, "net.reference",
+    lam_error_add(o->errors, o->job->location, "net.reference",
                   "the mesh cannot be searched; it has no valid triangle");
   else
-    lam_arena_defer(a->arena, lam_tree_free, tree);
-  a->tree = tree;
+    lam_arena_defer(o->arena, lam_tree_free, tree);
+  o->reference_tree = tree;
 }
 
-static void fix_boundary(const attempt *a, lam_problem *problem, lam_scope *scope) {
-  switch ((lam_boundary)a->job->common->boundary) {
-  case LAM_BOUNDARY_FREE:
-    break;
-  case LAM_BOUNDARY_FIXED:
-    for (int v = 0; v < problem->vertex_count; v++) problem->fixed[v] |= a->net->boundary[v];
-    break;
-  case LAM_BOUNDARY_GLIDE:
-    lam_con_glide.add(scope, NULL, 1, a->job->location);
-    break;
+/* Copies of the start's positions: what the solver moves, and what it is compared with. */
+static void prepare_positions(optimization *o) {
+  const lam_mesh *mesh = &o->net->mesh;
+  int n = mesh->vertex_count;
+  o->start_in_meters = LAM_NEW(o->arena, lam_vec3, n);
+  o->start = LAM_NEW(o->arena, lam_vec3, n);
+  o->x = LAM_NEW(o->arena, lam_vec3, n);
+  memcpy(o->start_in_meters, mesh->vertices, sizeof *mesh->vertices * (size_t)n);
+  for (int v = 0; v < n; v++) o->start[v] = o->x[v] = lam_scale(mesh->vertices[v], 1 / o->unit);
+}
+
+/* Fills what all steps need. False, with errors: the input is wrong. */
+static bool prepare(optimization *o) {
+  int errors_before = o->errors->count;
+  o->unit = lam_net_mean_edge(o->net, o->net->mesh.vertices);
+  if (!(o->unit > 0) || !isfinite(o->unit)) {
+    lam_error_add(o->errors, o->job->location, "net",
+                  "the initial mesh has no extent; expected edges longer than 0");
+    return false;
   }
+
+  prepare_reference(o);
+  o->handles = lam_handles_resolve(o->arena, o->keys, o->net, o->net->mesh.vertices,
+                                   o->job->location, o->errors);
+  if (o->errors->count > errors_before) return false;
+
+  prepare_positions(o);
+  return true;
 }
 
-static void add_handles(const attempt *a, lam_scope *scope, const lam_vec3 *start, double share) {
-  const lam_list *handles = &a->job->common->handles;
-  lam_vec3 *targets = LAM_NEW(a->arena, lam_vec3, handles->count);
-  int *vertices = LAM_NEW(a->arena, int, handles->count), count = 0;
-  for (int h = 0; h < handles->count; h++) {
-    const lam_handle *handle = (const lam_handle *)handles->items + h;
-    if (a->let_go && handle->release) continue;
-    lam_vec3 to = lam_scale(lam_v3(handle->to[0], handle->to[1], handle->to[2]), 1 / a->unit);
-    vertices[count] = a->handle_vertices[h];
-    targets[count++] = lam_mix(start[a->handle_vertices[h]], to, share);
-  }
-  lam_closeness_add(scope, "handle", LAM_HARD, 1, count, vertices, targets);
+/* ---- where the solver begins ---- */
+
+/* Coarser nets to be solved first. A handle in the list of constraints names a vertex of this net
+ * by its number, which means nothing on a coarser one: none then. */
+static int wanted_levels(const optimization *o) {
+  const lam_list *constraints = &o->keys->constraints;
+  for (int i = 0; i < constraints->count; i++)
+    if (((const lam_row *)constraints->items)[i].head == &lam_con_handle.head) return 0;
+  return o->keys->levels_given ? o->keys->levels : o->job->kind->levels;
 }
 
-/* Fairness and what fades with it. */
-static void add_guide(const attempt *a, lam_scope *scope) {
-  const lam_solver_keys *keys = &a->job->common->solver;
-  lam_guide guide = a->job->kind->guide;
-  if (keys->method == LAM_METHOD_THESIS) guide = (lam_guide){LAM_FAIR_POSITION, 0, 0};
-  if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
-  if (keys->closeness_given) guide.closeness = keys->closeness;
-  if (keys->stiffness_given) guide.stiffness = keys->stiffness;
-  /* a fine net that starts from a solved coarse one needs less: closeness to it would keep its
-   * creases */
-  guide.closeness *= pow(.5, a->levels);
-  lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, a->job->location);
-  if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, a->job->location);
-  if (guide.stiffness > 0)
-    lam_edge_length_add(scope, "stiffness", LAM_FAIRNESS, guide.stiffness,
-                        (lam_edge_length_params){0});
-}
-
-/* Where the solver begins when the start is noisy: near the start, with fair polylines. A held
- * boundary stays. */
-static void smooth(const attempt *a, const lam_vec3 *start, lam_vec3 *positions) {
-  lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, start);
-  lam_scope scope = {.problem = problem, .net = a->net, .unit = a->unit, .errors = a->errors};
-  for (int v = 0; v < problem->vertex_count; v++)
-    problem->fixed[v] = a->net->boundary[v] && a->job->common->boundary != LAM_BOUNDARY_FREE;
-  lam_con_fairness.add(&scope, &(lam_fairness_params){LAM_FAIR_POSITION}, 1, a->job->location);
-  lam_guided_smooth(problem, .3);
-  lam_problem_positions(problem, positions);
-}
-
-/* More equations than unknowns may have no solution: the residual then stays above a floor,
- * whatever the solver does.
- */
-static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
-  int equations = 0;
-  for (int b = 0; b < problem->block_count; b++)
-    if (problem->blocks[b].role == LAM_HARD)
-      equations += problem->blocks[b].count * problem->blocks[b].rows;
-  if (equations > solution->unknowns)
-    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)",
-                                        solution->reason, equations, solution->unknowns);
-}
-
-/* The net's own constraints where the vertices are now, in the form of the thesis. */
-static void constrain_by_thesis(const attempt *a, lam_scope *scope) {
-  const lam_net_job *job = a->job;
-  if (job->kind->constrain_thesis) {
-    job->kind->constrain_thesis(scope, job->params, job->location);
-    return;
-  }
-  const char *names = "";
-  for (int i = 0; i < lam_nets.count; i++)
-    if (((const lam_net_kind *)lam_nets.rows[i])->constrain_thesis)
-      names =
-          lam_arena_printf(a->arena, "%s%s%s", names, *names ? ", " : "", lam_nets.rows[i]->name);
-  lam_error_add(
-      a->errors, job->location, "net.solver",
-      "thesis, but %s has no form with auxiliary unknowns; expected lamella, or one of the nets %s",
-      job->kind->head.name, names);
-}
-
-/* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing else that guides.
- */
-static const double thesis_fairness = .01;
-
-/* One solve from positions (in solver units), with handles moved by the given share of their way.
- * What a constraint keeps (a length, the boundary curve) is that of the start; what guides is the
- * place where this solve begins. */
-static lam_solution solve(attempt *a, lam_vec3 *positions, const lam_vec3 *start, double share,
-                          long *skipped) {
-  const lam_net_job *job = a->job;
-  const lam_net_common *common = job->common;
-  lam_problem *problem = lam_problem_new(a->arena, a->net->mesh.vertex_count, start);
-  lam_scope scope = {problem, a->net, a->unit, a->tree, &a->reference, a->errors, 0};
-  bool thesis = common->solver.method == LAM_METHOD_THESIS;
-  if (!thesis) job->kind->constrain(&scope, job->params, job->location);
-  for (int i = 0; i < common->constraints.count; i++) {
-    const lam_row *row = (const lam_row *)common->constraints.items + i;
-    ((const lam_constraint_kind *)row->head)->add(&scope, row->params, 1, row->location);
-  }
-  fix_boundary(a, problem, &scope);
-  memcpy(problem->x, positions, sizeof *positions * (size_t)problem->vertex_count);
-  if (thesis)
-    constrain_by_thesis(a, &scope); /* auxiliary unknowns start from the vertices' places */
-  add_handles(a, &scope, start, share);
-  if (job->reference) lam_con_proximity.add(&scope, NULL, common->reference.weight, job->location);
-  lam_schedule schedule = job->kind->schedule;
-  if (thesis) schedule.fairness = fmin(schedule.fairness, thesis_fairness);
-  if (common->solver.fairness_given) schedule.fairness = common->solver.fairness;
-  if (common->solver.tolerance_given) schedule.tolerance = common->solver.tolerance;
-  schedule.max_iterations = common->solver.iterations;
-  lam_solution none = {.reason = "not solved"};
-  if (a->errors->count) return none;
-  if (a->let_go) schedule.fairness = 0;
-  if (schedule.fairness > 0) add_guide(a, &scope);
-  lam_progress watching = {0};
-  if (a->frames) {
-    a->frames->problem = a->frame_per_step ? NULL : problem;
-    a->frames->next = job->progress;
-    watching = lam_snapshots_progress(a->frames);
-  }
-  const lam_progress *progress = a->frames ? &watching : job->progress;
-  lam_solution solution =
-      thesis ? lam_gauss_newton_solve(problem, &schedule, common->solver.epsilon, progress)
-             : lam_guided_solve(problem, &schedule, progress);
-  if (!solution.converged && !thesis) explain(a->arena, problem, &solution);
-  lam_problem_positions(problem, positions);
-  *skipped = scope.skipped;
-  return solution;
-}
-
-static bool any_released(const lam_list *handles) {
-  bool any = false;
-  for (int h = 0; h < handles->count; h++) any |= ((const lam_handle *)handles->items)[h].release;
-  return any;
-}
-
-/* Handles on the coarse net: each moves the vertex next to it by its own displacement. */
-static lam_list coarse_handles(const attempt *a, const lam_level *coarse) {
-  const lam_list *handles = &a->job->common->handles;
-  lam_handle *out = LAM_NEW(a->arena, lam_handle, handles->count);
+/* Handles on the coarse net: each moves the vertex next to it by its own displacement. Left out
+ * are those whose coarse vertex is held, or has a handle already. */
+static lam_list coarse_handles(const optimization *o, const lam_level *coarse) {
+  lam_handle *out = LAM_NEW(o->arena, lam_handle, o->handles.count);
   int count = 0;
-  for (int h = 0; h < handles->count; h++) {
-    lam_handle handle = ((const lam_handle *)handles->items)[h];
-    int v = a->handle_vertices[h], near = coarse->nearest[v];
-    bool taken = a->job->common->boundary == LAM_BOUNDARY_FIXED && coarse->net.boundary[near];
+  for (int h = 0; h < o->handles.count; h++) {
+    lam_handle handle = ((const lam_handle *)o->handles.items)[h];
+    int v = handle.vertex[0], near = coarse->nearest[v];
+    bool taken = o->keys->boundary == LAM_BOUNDARY_FIXED && coarse->net.boundary[near];
     for (int k = 0; k < count; k++) taken |= out[k].vertex[0] == near;
     if (taken) continue;
-    lam_vec3 away = lam_sub(coarse->net.mesh.vertices[near], a->net->mesh.vertices[v]);
+
+    lam_vec3 away = lam_sub(coarse->net.mesh.vertices[near], o->net->mesh.vertices[v]);
     handle.vertex[0] = near;
     handle.vertex[1] = -1;
     handle.to[0] += away.x, handle.to[1] += away.y, handle.to[2] += away.z;
@@ -201,99 +121,296 @@ static lam_list coarse_handles(const attempt *a, const lam_level *coarse) {
   return (lam_list){count, out};
 }
 
-/* Solves a coarser net first, when there is one, and puts its refined solution into x (solver
- * units). */
-static bool begin_coarse(attempt *a, const lam_vec3 *start, lam_vec3 *x, lam_net_result *result) {
-  const lam_net_common *common = a->job->common;
-  int levels = common->levels_given ? common->levels : a->job->kind->levels;
-  for (int i = 0; i < common->constraints.count;
-       i++) /* a constraint on a vertex by its number is for this net alone */
-    if (((const lam_row *)common->constraints.items)[i].head == &lam_con_handle.head) levels = 0;
+/* Puts the refined positions of the solved coarse net into x; a fixed boundary stays. */
+static void take_refined(optimization *o, const lam_level *coarse) {
+  int n = o->net->mesh.vertex_count;
+  lam_vec3 *refined = LAM_NEW(o->arena, lam_vec3, n);
+  lam_level_refine(o->arena, coarse, refined);
+  for (int v = 0; v < n; v++) {
+    bool held = o->keys->boundary == LAM_BOUNDARY_FIXED && o->net->boundary[v];
+    o->x[v] = held ? o->start[v] : lam_scale(refined[v], 1 / o->unit);
+  }
+}
+
+/* Solves a coarser net, where one is wanted and can be made, and puts its refined solution into
+ * x. result: that of the coarse net then. False: the input is wrong. */
+static bool begin_on_coarse_net(optimization *o, lam_net_result *result) {
+  /* faces of the coarse net, by the design's own choice of levels and by the kind's */
+  enum { fewest_if_given = 4, fewest = 64 };
+  int levels = wanted_levels(o);
   lam_level coarse;
-  if (levels < 1 || !lam_level_make(a->arena, a->net, common->levels_given ? 4 : 64, &coarse))
+  if (levels < 1 ||
+      !lam_level_make(o->arena, o->net, o->keys->levels_given ? fewest_if_given : fewest, &coarse))
     return true;
-  lam_net_common keys = *common;
-  lam_net_job job = *a->job;
-  keys.handles = coarse_handles(a, &coarse);
+
+  /* The same job with one level less and its own handles; frames show the fine net only. */
+  lam_net_common keys = *o->keys;
+  keys.handles = coarse_handles(o, &coarse);
   keys.levels = levels - 1;
   keys.animate = 0;
-  keys.levels_given = common->levels_given;
-  job.common = &keys;
-  lam_net_kind kind = *job.kind;
+  lam_net_kind kind = *o->job->kind;
   kind.levels = levels - 1;
+  lam_net_job job = *o->job;
+  job.common = &keys;
   job.kind = &kind;
-  if (!lam_net_optimize(a->arena, &job, &coarse.net, a->errors, result)) return false;
-  lam_vec3 *refined = LAM_NEW(a->arena, lam_vec3, a->net->mesh.vertex_count);
-  lam_level_refine(a->arena, &coarse, refined);
-  for (int v = 0; v < a->net->mesh.vertex_count; v++) {
-    bool held = common->boundary == LAM_BOUNDARY_FIXED && a->net->boundary[v];
-    x[v] = held ? start[v] : lam_scale(refined[v], 1 / a->unit);
-  }
-  result->levels++;
+  if (!lam_net_optimize(o->arena, &job, &coarse.net, o->errors, result)) return false;
+
+  take_refined(o, &coarse);
+  o->levels = ++result->levels;
   return true;
 }
 
-bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
-                      lam_net_result *result) {
-  int n = net->mesh.vertex_count, steps = 1, before = errors->count;
-  *result = (lam_net_result){0};
-  attempt a = {.arena = arena, .job = job, .net = net, .errors = errors};
-  a.unit = lam_net_mean_edge(net, net->mesh.vertices);
-  if (!(a.unit > 0) || !isfinite(a.unit)) {
-    lam_error_add(errors, job->location, "net",
-                  "the initial mesh has no extent; expected edges longer than 0");
-    return false;
+/* Where the solver begins when the start is noisy: near the start, with fair polylines. A
+ * held boundary stays. */
+static void smooth_noisy_start(optimization *o) {
+  static const double closeness = .3; /* to the start, against fairness 1 */
+  lam_problem *problem = lam_problem_new(o->arena, o->net->mesh.vertex_count, o->start);
+  lam_scope scope = {.problem = problem, .net = o->net, .unit = o->unit, .errors = o->errors};
+  for (int v = 0; v < problem->vertex_count; v++)
+    problem->fixed[v] = o->net->boundary[v] && o->keys->boundary != LAM_BOUNDARY_FREE;
+
+  lam_con_fairness.add(&scope, &(lam_fairness_params){LAM_FAIR_POSITION}, 1, o->job->location);
+  lam_guided_smooth(problem, closeness);
+  lam_problem_positions(problem, o->x);
+}
+
+/* Decides how many solves there are, and when frames are kept. After a coarser net the handles
+ * are where they have to be but for the refinement: no steps are needed. */
+static void plan_steps(optimization *o) {
+  bool any_released = false;
+  o->handle_steps = 1;
+  for (int h = 0; h < o->handles.count; h++) {
+    const lam_handle *handle = (const lam_handle *)o->handles.items + h;
+    any_released |= handle->release;
+    if (o->levels == 0 && handle->steps > o->handle_steps) o->handle_steps = handle->steps;
   }
-  prepare_reference(&a);
-  lam_net_common common = *job->common;
-  lam_net_job resolved = *job;
-  common.handles =
-      lam_handles_resolve(arena, job->common, net, net->mesh.vertices, job->location, errors);
-  resolved.common = &common;
-  a.job = &resolved;
-  const lam_list *handles = &common.handles;
-  a.handle_vertices = LAM_NEW(arena, int, handles->count);
-  for (int h = 0; h < handles->count; h++) {
-    const lam_handle *handle = (const lam_handle *)handles->items + h;
-    a.handle_vertices[h] = handle->vertex[0];
-    if (handle->steps > steps) steps = handle->steps;
+  o->steps = o->handle_steps + any_released;
+
+  if (o->keys->animate <= 0) return;
+  o->frames = LAM_NEW(o->arena, lam_snapshots, 1);
+  *o->frames = lam_snapshots_new(o->arena, o->keys->animate, o->net->mesh.vertex_count, o->unit);
+  o->frame_per_step = o->handle_steps > 1;
+  lam_snapshots_add(o->frames, o->start);
+}
+
+/* ---- one solve ---- */
+
+/* What the key `boundary` asks for. */
+static void hold_boundary(const optimization *o, lam_scope *scope) {
+  lam_problem *problem = scope->problem;
+  switch ((lam_boundary)o->keys->boundary) {
+  case LAM_BOUNDARY_FREE:
+    break;
+  case LAM_BOUNDARY_FIXED:
+    for (int v = 0; v < problem->vertex_count; v++) problem->fixed[v] |= o->net->boundary[v];
+    break;
+  case LAM_BOUNDARY_GLIDE:
+    lam_con_glide.add(scope, NULL, 1, o->job->location);
+    break;
   }
-  if (errors->count > before) return false;
-  lam_vec3 *start = LAM_NEW(arena, lam_vec3, n), *x = LAM_NEW(arena, lam_vec3, n),
-           *begin = LAM_NEW(arena, lam_vec3, n);
-  memcpy(begin, net->mesh.vertices, sizeof *begin * (size_t)n);
-  for (int v = 0; v < n; v++) start[v] = x[v] = lam_scale(net->mesh.vertices[v], 1 / a.unit);
-  if (!begin_coarse(&a, start, x, result)) return false;
-  a.levels = result->levels;
-  if (a.levels > 0)
-    steps = 1;
-  else if (job->common->solver.smooth)
-    smooth(&a, start, x);
-  lam_snapshots frames;
-  if (job->common->animate > 0) {
-    frames = lam_snapshots_new(arena, job->common->animate, n, a.unit);
-    a.frames = &frames;
-    a.frame_per_step = steps > 1;
-    lam_snapshots_add(&frames, start);
+}
+
+/* Handles pull their vertices to the point that they have reached in this step. */
+static void add_handles(const optimization *o, lam_scope *scope) {
+  lam_vec3 *targets = LAM_NEW(o->arena, lam_vec3, o->handles.count);
+  int *vertices = LAM_NEW(o->arena, int, o->handles.count), count = 0;
+  for (int h = 0; h < o->handles.count; h++) {
+    const lam_handle *handle = (const lam_handle *)o->handles.items + h;
+    if (o->let_go && handle->release) continue;
+
+    int v = handle->vertex[0];
+    lam_vec3 to = lam_scale(lam_v3(handle->to[0], handle->to[1], handle->to[2]), 1 / o->unit);
+    vertices[count] = v;
+    targets[count++] = lam_mix(o->start[v], to, o->share);
   }
-  int iterations = result->solution.iterations;
-  for (int step = 1; step <= steps + any_released(handles); step++) {
-    a.let_go = step > steps;
-    result->solution = solve(&a, x, start, fmin(1, (double)step / steps), &result->skipped);
-    iterations += result->solution.iterations;
-    if (errors->count > before) return false;
-    if (a.frames && a.frame_per_step) lam_snapshots_add(a.frames, x);
+  lam_closeness_add(scope, "handle", LAM_HARD, 1, count, vertices, targets);
+}
+
+/* The names of all nets that have a form with auxiliary unknowns, with commas between. */
+static const char *nets_of_thesis(lam_arena *arena) {
+  const char *names = "";
+  for (int i = 0; i < lam_nets.count; i++)
+    if (((const lam_net_kind *)lam_nets.rows[i])->constrain_thesis)
+      names = lam_arena_printf(arena, "%s%s%s", names, *names ? ", " : "", lam_nets.rows[i]->name);
+  return names;
+}
+
+/* The net's own constraints in the form of the thesis. Auxiliary unknowns start from where the
+ * vertices of the problem are now. */
+static void constrain_by_thesis(const optimization *o, lam_scope *scope) {
+  const lam_net_job *job = o->job;
+  if (job->kind->constrain_thesis)
+    job->kind->constrain_thesis(scope, job->params, job->location);
+  else
+    lam_error_add(o->errors, job->location, "net.solver",
+                  "thesis, but %s has no form with auxiliary unknowns; expected lamella, or one of "
+                  "the nets %s",
+                  job->kind->head.name, nets_of_thesis(o->arena));
+}
+
+/* Everything that stays to the end: hard constraints, and the reference as a soft one. What a
+ * constraint keeps (a length, the boundary curve) is that of the start: these are added while the
+ * problem stands there. Then it moves to x, where the solve begins. */
+static void add_constraints(const optimization *o, lam_scope *scope) {
+  const lam_net_job *job = o->job;
+  lam_problem *problem = scope->problem;
+  bool thesis = o->keys->solver.method == LAM_METHOD_THESIS;
+  if (!thesis) job->kind->constrain(scope, job->params, job->location);
+  for (int i = 0; i < o->keys->constraints.count; i++) {
+    const lam_row *row = (const lam_row *)o->keys->constraints.items + i;
+    ((const lam_constraint_kind *)row->head)->add(scope, row->params, 1, row->location);
   }
-  result->solution.iterations = iterations;
-  result->degenerate = lam_net_degenerate(arena, net, start, x);
+  hold_boundary(o, scope);
+
+  memcpy(problem->x, o->x, sizeof *o->x * (size_t)problem->vertex_count);
+  if (thesis) constrain_by_thesis(o, scope);
+  add_handles(o, scope);
+  if (job->reference) lam_con_proximity.add(scope, NULL, o->keys->reference.weight, job->location);
+}
+
+/* The kind's schedule with the keys of the design. When handles let go the net begins where the
+ * step before has led it: no fairness then. */
+static lam_schedule schedule_of(const optimization *o) {
+  /* Table 3.2 of the thesis: fairness of positions, .01 -> 0 or none, and nothing
+   * else that guides. */
+  static const double thesis_fairness = .01;
+  const lam_solver_keys *keys = &o->keys->solver;
+  lam_schedule schedule = o->job->kind->schedule;
+  if (keys->method == LAM_METHOD_THESIS)
+    schedule.fairness = fmin(schedule.fairness, thesis_fairness);
+  if (keys->fairness_given) schedule.fairness = keys->fairness;
+  if (keys->tolerance_given) schedule.tolerance = keys->tolerance;
+  schedule.max_iterations = keys->iterations;
+  if (o->let_go) schedule.fairness = 0;
+  return schedule;
+}
+
+/* Fairness and what fades with it, from where this solve begins. */
+static void add_guide(const optimization *o, lam_scope *scope) {
+  const lam_solver_keys *keys = &o->keys->solver;
+  lam_guide guide = o->job->kind->guide;
+  if (keys->method == LAM_METHOD_THESIS) guide = (lam_guide){LAM_FAIR_POSITION, 0, 0};
+  if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
+  if (keys->closeness_given) guide.closeness = keys->closeness;
+  if (keys->stiffness_given) guide.stiffness = keys->stiffness;
+
+  /* A fine net that starts from a solved coarse one needs less: closeness to it would
+   * keep its creases. */
+  guide.closeness *= pow(.5, o->levels);
+
+  lam_con_fairness.add(scope, &(lam_fairness_params){guide.fair}, 1, o->job->location);
+  if (guide.closeness > 0) lam_con_closeness.add(scope, NULL, guide.closeness, o->job->location);
+  if (guide.stiffness > 0)
+    lam_edge_length_add(scope, "stiffness", LAM_FAIRNESS, guide.stiffness,
+                        (lam_edge_length_params){0});
+}
+
+/* More equations than unknowns may have no solution: the residual then stays above a floor,
+ * whatever the solver does. Adds this to the reason. */
+static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+  int equations = 0;
+  for (int b = 0; b < problem->block_count; b++)
+    if (problem->blocks[b].role == LAM_HARD)
+      equations += problem->blocks[b].count * problem->blocks[b].rows;
+
+  if (equations > solution->unknowns)
+    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)",
+                                        solution->reason, equations, solution->unknowns);
+}
+
+/* Runs the solver of the key `method` and puts its positions into x. Frames per iteration are
+ * taken from what the solver tells of its progress. */
+static lam_solution run_solver(optimization *o, lam_problem *problem,
+                               const lam_schedule *schedule) {
+  const lam_progress *progress = o->job->progress;
+  lam_progress watching;
+  if (o->frames) {
+    o->frames->problem = o->frame_per_step ? NULL : problem;
+    o->frames->next = o->job->progress;
+    watching = lam_snapshots_progress(o->frames);
+    progress = &watching;
+  }
+
+  const lam_solver_keys *keys = &o->keys->solver;
+  bool thesis = keys->method == LAM_METHOD_THESIS;
+  lam_solution solution = thesis
+                              ? lam_gauss_newton_solve(problem, schedule, keys->epsilon, progress)
+                              : lam_guided_solve(problem, schedule, progress);
+  if (!solution.converged && !thesis) explain(o->arena, problem, &solution);
+  lam_problem_positions(problem, o->x);
+  return solution;
+}
+
+/* One solve, from x to x, with the handles where they are in this step. Its iterations are added to
+ * those in result. Nothing is solved when there are errors; false when this step added them. */
+static bool solve_step(optimization *o, lam_net_result *result) {
+  int errors_before = o->errors->count, iterations_before = result->solution.iterations;
+  lam_problem *problem = lam_problem_new(o->arena, o->net->mesh.vertex_count, o->start);
+  lam_scope scope = {.problem = problem,
+                     .net = o->net,
+                     .unit = o->unit,
+                     .reference = o->reference_tree,
+                     .reference_mesh = &o->reference,
+                     .errors = o->errors};
+  add_constraints(o, &scope);
+
+  result->solution = (lam_solution){.reason = "not solved"};
+  if (o->errors->count == 0) {
+    lam_schedule schedule = schedule_of(o);
+    if (schedule.fairness > 0) add_guide(o, &scope);
+    result->solution = run_solver(o, problem, &schedule);
+    result->skipped = scope.skipped;
+  }
+  result->solution.iterations += iterations_before;
+  return o->errors->count == errors_before;
+}
+
+/* ---- the end ---- */
+
+/* The solver's word is not enough: positions that meet the constraints may be folded,
+ * flat or collapsed. */
+static void judge(const optimization *o, lam_net_result *result) {
+  result->degenerate = lam_net_degenerate(o->arena, o->net, o->start, o->x);
   result->converged = result->solution.converged && !result->degenerate;
   result->reason = result->degenerate ? result->degenerate : result->solution.reason;
+
   result->drift = 0;
-  for (int v = 0; v < n; v++) {
-    result->drift = fmax(result->drift, lam_distance(x[v], start[v]));
-    net->mesh.vertices[v] = lam_scale(x[v], a.unit);
+  for (int v = 0; v < o->net->mesh.vertex_count; v++)
+    result->drift = fmax(result->drift, lam_distance(o->x[v], o->start[v]));
+}
+
+/* Moves the net to where the solver has brought it, and hands over the frames. */
+static void deliver(const optimization *o, lam_net_result *result) {
+  for (int v = 0; v < o->net->mesh.vertex_count; v++)
+    o->net->mesh.vertices[v] = lam_scale(o->x[v], o->unit);
+  if (o->frames)
+    result->frames = lam_snapshots_finish(o->arena, o->frames, o->x, &result->frame_count);
+}
+
+/* Moves the vertices of a net until the constraints of its kind hold (guided projection, thesis
+ * 3.7). False when the input is wrong. Not converging is a result, not an error. */
+bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
+                      lam_net_result *result) {
+  *result = (lam_net_result){0};
+  optimization o = {.arena = arena, .job = job, .keys = job->common, .net = net, .errors = errors};
+  if (!prepare(&o)) return false;
+
+  /* A coarser net is solved first: its refined positions are a better place to begin
+   * than the start. */
+  if (!begin_on_coarse_net(&o, result)) return false;
+  if (o.levels == 0 && o.keys->solver.smooth) smooth_noisy_start(&o);
+
+  /* Handles go their way in equal steps; in one step more, those with release: yes let go. */
+  plan_steps(&o);
+  for (int step = 1; step <= o.steps; step++) {
+    o.let_go = step > o.handle_steps;
+    o.share = o.let_go ? 1 : (double)step / o.handle_steps;
+    if (!solve_step(&o, result)) return false;
+    if (o.frames && o.frame_per_step) lam_snapshots_add(o.frames, o.x);
   }
-  if (a.frames) result->frames = lam_snapshots_finish(arena, &frames, x, &result->frame_count);
-  lam_net_measure_result(arena, job, net, begin, result);
+
+  judge(&o, result);
+  deliver(&o, result);
+  lam_net_measure_result(arena, job, net, o.start_in_meters, result);
   return true;
 }

@@ -1,15 +1,18 @@
+/* What a solved net is measured by, and with what. Called by lam_net_optimize (net/optimize.c). */
 #include "net/optimize.h"
 
 #include <math.h>
 #include <string.h>
 
-static bool listed(const char *const *names, int count, const char *name) {
+/* Whether name is among count names. */
+static bool is_listed(const char *const *names, int count, const char *name) {
   for (int i = 0; i < count; i++)
     if (strcmp(names[i], name) == 0) return true;
   return false;
 }
 
-/* The kind's own measures, those of a reference, and those that the design asks for; each once. */
+/* The kind's own measures, those of a reference, and those that the design asks for, each once;
+ * NULL-terminated, in the arena. Unknown names in the design are left out. */
 static const char *const *measure_names(lam_arena *arena, const lam_net_job *job) {
   static const char *const of_reference[2] = {"distance_to_reference", "distance_from_reference"};
   const lam_list *more = &job->common->measures;
@@ -18,15 +21,18 @@ static const char *const *measure_names(lam_arena *arena, const lam_net_job *job
   while (own[count]) count++;
   const char **names = LAM_NEW(arena, const char *, count + more->count + 3);
   for (int i = 0; i < count; i++) names[i] = own[i];
+
   for (int i = 0; job->reference && i < 2; i++)
-    if (!listed(names, count, of_reference[i])) names[count++] = of_reference[i];
+    if (!is_listed(names, count, of_reference[i])) names[count++] = of_reference[i];
+
   for (int i = 0; i < more->count; i++) {
     const char *name = ((const char *const *)more->items)[i];
-    if (lam_measure_find(name) && !listed(names, count, name)) names[count++] = name;
+    if (lam_measure_find(name) && !is_listed(names, count, name)) names[count++] = name;
   }
   return names;
 }
 
+/* Measures what stands in net->mesh.vertices; the kind's target angle replaces the right angle. */
 void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_net *net,
                             const lam_vec3 *start, lam_net_result *result) {
   lam_measuring *in = &result->measuring;
@@ -34,12 +40,14 @@ void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_
   in->start = start;
   double target = job->kind->target_angle ? job->kind->target_angle(job->params) : in->target_angle;
   if (!isnan(target)) in->target_angle = target;
-  lam_tree *tree =
-      job->reference ? lam_tree_new(job->reference) : NULL; /* the solver's own is not in meters */
+
+  /* The solver's own tree is in solver units; this one is in meters. */
+  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
   if (tree) {
     lam_arena_defer(arena, lam_tree_free, tree);
     in->reference = tree;
     in->reference_mesh = job->reference;
   }
+
   result->measures = lam_net_measure(in, measure_names(arena, job), &result->measure_count);
 }

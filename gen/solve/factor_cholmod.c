@@ -1,14 +1,13 @@
+/* Sparse Cholesky by CHOLMOD, ordering by AMD. The only file that includes them. Called through
+ * factor.h by solver_run.c and by surf. */
 #include "solve/factor.h"
+#include "solve/kernels.h"
 
 #include <amd.h>
 #include <cholmod.h>
-#include <omp.h>
 #include <string.h>
 
-/* From OpenBLAS; declared here because its header redefines the complex types of the C library. */
-extern char *openblas_get_corename(void);
-extern void openblas_set_num_threads(int threads);
-
+/* CHOLMOD's workspace is kept between solves: it is made once by cholmod_solve2. */
 struct lam_factor {
   cholmod_common common;
   cholmod_factor *L;
@@ -18,6 +17,7 @@ struct lam_factor {
   lam_factor_stats stats;
 };
 
+/* Deferred to the arena: what CHOLMOD allocated is not the arena's. */
 static void close_factor(void *handle) {
   lam_factor *factor = handle;
   cholmod_free_factor(&factor->L, &factor->common);
@@ -33,53 +33,61 @@ static void check_memory(lam_factor *factor) {
     lam_arena_exhausted(factor->arena);
 }
 
-lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start, const int *row,
-                               const int *order) {
-  /* One thread: the same bytes on any machine. CHOLMOD asks for four threads in loops of a few
-   * columns, which costs four times what the factorization does; only without active levels does
-   * OpenMP leave those loops alone. */
-  openblas_set_num_threads(1);
-  omp_set_max_active_levels(0);
-  lam_factor *factor = LAM_NEW(arena, lam_factor, 1);
-  factor->arena = arena;
-  cholmod_start(&factor->common);
-  lam_arena_defer(arena, close_factor, factor);
-  cholmod_common *common = &factor->common;
+/* One order only, the caller's; and LL': the L D L' that CHOLMOD takes for small systems would
+ * accept an indefinite matrix. */
+static void configure(cholmod_common *common) {
   common->print = 0;
   common->nmethods = 1;
   common->method[0].ordering = CHOLMOD_GIVEN;
   common->postorder = 1;
   common->supernodal = CHOLMOD_AUTO;
-  common->final_ll = 1; /* LL': L D L' of small systems would accept an indefinite matrix */
+  common->final_ll = 1;
   common->quick_return_if_not_posdef = 1;
+}
+
+/* Symbolic analysis needs the pattern alone: the values come with lam_factor_refactor. */
+lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start, const int *row,
+                               const int *order) {
+  lam_factor *factor = LAM_NEW(arena, lam_factor, 1);
+  factor->arena = arena;
+  cholmod_start(&factor->common);
+  lam_arena_defer(arena, close_factor, factor);
+  configure(&factor->common);
+
   factor->A = (cholmod_sparse){.nrow = (size_t)n,
                                .ncol = (size_t)n,
                                .nzmax = (size_t)column_start[n],
                                .p = (void *)column_start,
                                .i = (void *)row,
-                               .stype = -1,
+                               .stype = -1, /* the lower triangle */
                                .itype = CHOLMOD_INT,
-                               .xtype = CHOLMOD_REAL,
+                               .xtype = CHOLMOD_PATTERN,
                                .dtype = CHOLMOD_DOUBLE,
                                .sorted = 1,
                                .packed = 1};
-  factor->A.xtype = CHOLMOD_PATTERN;
-  factor->L = cholmod_analyze_p(&factor->A, (int *)order, NULL, 0, common);
+  lam_kernels_begin();
+  factor->L = cholmod_analyze_p(&factor->A, (int *)order, NULL, 0, &factor->common);
+  lam_kernels_end();
   check_memory(factor);
   factor->A.xtype = CHOLMOD_REAL;
-  factor->stats.flops = common->fl;
-  factor->stats.entries = common->lnz;
+
+  factor->stats.flops = factor->common.fl;
+  factor->stats.entries = factor->common.lnz;
   return factor;
 }
 
+/* CHOLMOD reports an indefinite matrix by the column where it stopped (minor < n). */
 bool lam_factor_refactor(lam_factor *factor, const double *values) {
   factor->A.x = (void *)values;
+  lam_kernels_begin();
   cholmod_factorize(&factor->A, factor->L, &factor->common);
+  lam_kernels_end();
   check_memory(factor);
   factor->stats.factorized++;
   return factor->common.status == CHOLMOD_OK && factor->L->minor == factor->L->n;
 }
 
+/* b is borrowed by a dense matrix of one column. */
 void lam_factor_solve(lam_factor *factor, const double *b, double *x) {
   cholmod_dense B = {.nrow = factor->L->n,
                      .ncol = 1,
@@ -88,36 +96,22 @@ void lam_factor_solve(lam_factor *factor, const double *b, double *x) {
                      .x = (void *)b,
                      .xtype = CHOLMOD_REAL,
                      .dtype = CHOLMOD_DOUBLE};
+  lam_kernels_begin();
   cholmod_solve2(CHOLMOD_A, factor->L, &B, NULL, &factor->X, NULL, &factor->work_y, &factor->work_e,
                  &factor->common);
+  lam_kernels_end();
   check_memory(factor);
+
   memcpy(x, factor->X->x, sizeof(double) * factor->L->n);
   factor->stats.solved++;
 }
 
 lam_factor_stats lam_factor_get_stats(const lam_factor *factor) { return factor->stats; }
 
+/* AMD with its default settings; the empty graph has nothing to order. */
 void lam_factor_order(lam_arena *arena, int n, const int *start, const int *neighbor, int *order) {
   double control[AMD_CONTROL], info[AMD_INFO];
   amd_defaults(control);
   if (n && amd_order(n, start, neighbor, order, control, info) == AMD_OUT_OF_MEMORY)
     lam_arena_exhausted(arena);
-}
-
-const char *lam_blas_kernel(void) { return openblas_get_corename(); }
-
-const char *lam_blas_better_kernel(void) {
-  const char *kernel = openblas_get_corename();
-  static const char *const old[] = {"Prescott", "Core2",     "Penryn", "Dunnington",
-                                    "Nehalem",  "Barcelona", "Generic"};
-  for (size_t i = 0; i < sizeof old / sizeof *old; i++)
-    if (strcmp(kernel, old[i]) == 0)
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "Haswell" : NULL;
-  return NULL;
-}
-
-const char *lam_blas_advice(void) {
-  return lam_blas_better_kernel() ? "this OpenBLAS does not recognize the processor: set "
-                                    "OPENBLAS_CORETYPE=Haswell for twice the speed"
-                                  : NULL;
 }

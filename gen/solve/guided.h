@@ -1,6 +1,5 @@
 /* Guided projection: damped Gauss-Newton with fading fairness (thesis 3.7, in the form with the
- * vertices as unknowns).
- */
+ * vertices as unknowns). Called by net/optimize.c. */
 #ifndef LAM_SOLVE_GUIDED_H
 #define LAM_SOLVE_GUIDED_H
 
@@ -8,6 +7,7 @@
 #include "solve/factor.h"
 #include "solve/problem.h"
 
+/* How the weights go, and when the iteration ends. */
 typedef struct lam_schedule {
   double fairness;  /* weight at the start; 0: none */
   int hold;         /* iterations at the start weight */
@@ -18,26 +18,29 @@ typedef struct lam_schedule {
   bool fade_soft; /* soft blocks fade with the fairness too (guide terms, not wishes) */
 } lam_schedule;
 
+/* What a solve came to. */
 typedef struct lam_solution {
   bool converged;
-  const char *reason;
-  int iterations; /* accepted steps */
+  const char *reason; /* why it ended, a static text; never NULL */
+  int iterations;     /* accepted steps */
   int factorizations;
-  double residual, rms; /* hard, at the end */
-  const char *worst;    /* block with the largest residual */
+  double residual, rms; /* of the hard blocks, at the end: largest and root mean square */
+  const char *worst;    /* hard block with the largest residual; NULL: all are 0 */
   int history_count;
-  double *history; /* largest hard residual before the first and after every step */
-  /* Processor time of the thread. */
+  double *history; /* history_count; largest hard residual before the first and after every step */
+  /* Processor time of the thread, s. */
   double seconds_analysis; /* pattern and symbolic analysis, once */
   double seconds_assembly, seconds_factor, seconds_solve, seconds_total;
   lam_factor_stats factor;
   int unknowns, residuals;
 } lam_solution;
 
+/* No fairness, tolerance 1e-12, at most 100 iterations. */
 lam_schedule lam_schedule_default(void);
 /* Iterations until the fairness is gone. */
 int lam_schedule_fade(const lam_schedule *schedule);
-/* Solves in place (problem->x). Non-convergence is a result, not an error. */
+/* Solves in place (problem->x) in damped steps that never raise the energy. Non-convergence is a
+ * result, not an error. The history is owned by the problem's arena. progress may be NULL. */
 lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule,
                               const lam_progress *progress);
 /* The same with full Gauss-Newton steps and the constant damping epsilon^2 of thesis 3.7. Nothing
@@ -46,7 +49,7 @@ lam_solution lam_guided_solve(lam_problem *problem, const lam_schedule *schedule
 lam_solution lam_gauss_newton_solve(lam_problem *problem, const lam_schedule *schedule,
                                     double epsilon, const lam_progress *progress);
 /* One linear solve that minimizes the fairness blocks and (closeness to the start)^2 * weight^2:
- * for noisy starts. */
+ * for noisy starts. Moves problem->x; leaves it where the matrix is not positive definite. */
 void lam_guided_smooth(lam_problem *problem, double weight);
 
 #endif

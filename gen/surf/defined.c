@@ -14,6 +14,7 @@ typedef struct instance {
   const double *numbers;
 } instance;
 
+/* The callback, with the values of the keys. */
 static void eval(const void *data, double u, double v, lam_jet *jet) {
   const instance *surface = data;
   surface->definition->eval(surface->definition->context, surface->numbers, u, v, jet);
@@ -28,6 +29,7 @@ static bool domain(const void *data, lam_chart chart, double p[2], double q[2], 
       closed);
 }
 
+/* Both are kept by pointer. */
 const void *lam_surface_defined_data(lam_arena *arena, const lam_surface_definition *definition,
                                      const double *numbers) {
   instance *surface = LAM_NEW(arena, instance, 1);
@@ -37,8 +39,8 @@ const void *lam_surface_defined_data(lam_arena *arena, const lam_surface_definit
 
 /* ---- what can be wrong ---- */
 
-/* The largest difference between a derivative and its difference quotient, relative to the size of
- * both. Step h: quotients of second order are wrong by about h^2. */
+/* The largest difference between a derivative and its difference quotient, relative to the size
+ * of both. Step h: quotients of second order are wrong by about h^2. */
 static double derivative_error(const lam_surface_definition *d, const double *numbers) {
   static const double h = 1e-5;
   double u = (d->u[0] + d->u[1]) / 2, v = (d->v[0] + d->v[1]) / 2;
@@ -51,11 +53,11 @@ static double derivative_error(const lam_surface_definition *d, const double *nu
   d->eval(d->context, numbers, u, v - hv, &south);
 
   const lam_vec3 given[] = {here.u, here.v, here.uu, here.uv, here.vv};
-  const lam_vec3 quotient[] = {lam_scale(lam_sub(east.x, west.x), .5 / hu),
-                               lam_scale(lam_sub(north.x, south.x), .5 / hv),
-                               lam_scale(lam_sub(east.u, west.u), .5 / hu),
-                               lam_scale(lam_sub(north.u, south.u), .5 / hv),
-                               lam_scale(lam_sub(north.v, south.v), .5 / hv)};
+  const lam_vec3 quotient[] = {
+      lam_scale(lam_sub(east.x, west.x), .5 / hu), lam_scale(lam_sub(north.x, south.x), .5 / hv),
+      lam_scale(lam_sub(east.u, west.u), .5 / hu), lam_scale(lam_sub(north.u, south.u), .5 / hv),
+      lam_scale(lam_sub(north.v, south.v), .5 / hv)};
+
   /* Second derivatives may vanish: they are compared in units of the first ones. */
   double width[] = {1, 1, d->u[1] - d->u[0], d->u[1] - d->u[0], d->v[1] - d->v[0]};
   double size = lam_length(here.u) + lam_length(here.v), worst = 0;
@@ -64,19 +66,23 @@ static double derivative_error(const lam_surface_definition *d, const double *nu
   return isfinite(worst) ? worst : INFINITY;
 }
 
+/* Names become parts of designs and of file names. */
 static bool is_word(const char *name) {
   static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
   return name && *name && strspn(name, letters) == strlen(name);
 }
 
+/* Whether name, eval, ranges and keys are there; all of what is wrong is told at once. */
 static bool is_complete(const lam_surface_definition *d, lam_errors *errors) {
   int before = errors->count;
   if (!is_word(d->name))
     lam_error_add(errors, nowhere, "name", "given %s; expected letters, digits, - and _",
                   d->name ? d->name : "nothing");
+
   if (!d->eval) lam_error_add(errors, nowhere, "eval", "missing");
   if (!(d->u[0] < d->u[1]) || !(d->v[0] < d->v[1]))
     lam_error_add(errors, nowhere, "u, v", "expected ranges from a smaller to a larger number");
+
   for (int i = 0; i < d->number_count; i++)
     if (!is_word(d->numbers[i].name) || !d->numbers[i].doc)
       lam_error_add(errors, nowhere, "numbers", "number %d has no name or no doc", i + 1);
@@ -85,6 +91,7 @@ static bool is_complete(const lam_surface_definition *d, lam_errors *errors) {
 
 /* ---- the kind ---- */
 
+/* The key of number i, whose value is the i-th of the parameters. */
 static lam_key key_of(lam_arena *arena, const lam_surface_number *number, int i) {
   static const lam_key_unit units[] = {[LAM_PLAIN_NUMBER] = LAM_UNIT_NONE,
                                        [LAM_LENGTH] = LAM_UNIT_LENGTH,
@@ -100,6 +107,7 @@ static lam_key key_of(lam_arena *arena, const lam_surface_number *number, int i)
                    .doc = lam_arena_copy(arena, number->doc)};
 }
 
+/* Texts are copied: the program need not keep them. */
 const lam_surface_kind *lam_surface_kind_defined(lam_arena *arena,
                                                  const lam_surface_definition *definition,
                                                  lam_errors *errors) {
@@ -117,19 +125,20 @@ const lam_surface_kind *lam_surface_kind_defined(lam_arena *arena,
     keys[i] = key_of(arena, &definition->numbers[i], i);
 
   lam_surface_kind *kind = LAM_NEW(arena, lam_surface_kind, 1);
-  *kind = (lam_surface_kind){
-      .head = {.name = copy->name,
-               .title = copy->title,
-               .doc = copy->doc,
-               .source = "added by a program",
-               .keys = keys,
-               .params_size = sizeof(double) * (size_t)definition->number_count},
-      .eval = eval,
-      .domain = domain,
-      .definition = copy};
+  *kind =
+      (lam_surface_kind){.head = {.name = copy->name,
+                                  .title = copy->title,
+                                  .doc = copy->doc,
+                                  .source = "added by a program",
+                                  .keys = keys,
+                                  .params_size = sizeof(double) * (size_t)definition->number_count},
+                         .eval = eval,
+                         .domain = domain,
+                         .definition = copy};
   return kind;
 }
 
+/* The middle of the rectangle stands for all of it. */
 bool lam_surface_defined_check(const lam_surface_kind *kind, const double *numbers,
                                lam_location location, lam_errors *errors) {
   static const double limit = 1e-4; /* a wrong derivative is off by its own size */

@@ -1,3 +1,5 @@
+/* The keys that every surface of a design accepts beside those of its kind. The table is a row
+ * of design/design_keys.c; design/parse.c calls the check. */
 #include "surf/placement.h"
 #include "core/numbers.h"
 
@@ -20,6 +22,7 @@ const lam_key lam_placement_key_table[] = {
     {.name = NULL},
 };
 
+/* A range that is given must run from a smaller to a larger number. */
 static void check_range(const double range[2], bool given, const char *key, lam_location location,
                         lam_errors *errors) {
   if (!given || range[0] < range[1]) return;
@@ -28,8 +31,8 @@ static void check_range(const double range[2], bool given, const char *key, lam_
                 range[0], range[1]);
 }
 
-void lam_placement_keys_check(const lam_placement_keys *surface, lam_location location,
+void lam_placement_keys_check(const lam_placement_keys *keys, lam_location location,
                               lam_errors *errors) {
-  check_range(surface->u, surface->u_given, "surface.u", location, errors);
-  check_range(surface->v, surface->v_given, "surface.v", location, errors);
+  check_range(keys->u, keys->u_given, "surface.u", location, errors);
+  check_range(keys->v, keys->v_given, "surface.v", location, errors);
 }

@@ -1,4 +1,5 @@
-/* What kinds of surfaces share. For the files of surf/ only. */
+/* What kinds of surfaces share: domains, jets of revolution, units of listed points. For the
+ * files of surf/ only. */
 #ifndef LAM_SURF_SURFACE_KIND_H
 #define LAM_SURF_SURFACE_KIND_H
 
@@ -20,8 +21,18 @@ static inline bool lam_domain_give(lam_domain domain, double p[2], double q[2], 
   return true;
 }
 
-/* The diagonals of a grid: u = p - q, v = p + q. A turn by 45 degrees, which keeps the orientation.
- */
+/* The lam_surface_kind.locate of kinds whose charts all have the natural parameters. */
+static inline void lam_locate_natural(const void *data, lam_chart chart, int sector, double p,
+                                      double q, double *u, double *v) {
+  (void)data;
+  (void)chart;
+  (void)sector;
+  *u = p;
+  *v = q;
+}
+
+/* The diagonals of a grid, u = p - q and v = p + q: a turn by 45 degrees, which keeps the
+ * orientation. */
 static inline void lam_diagonal(double p, double q, double *u, double *v) {
   *u = p - q;
   *v = p + q;
@@ -32,9 +43,9 @@ typedef struct lam_meridian {
   double r, z, dr, dz, ddr, ddz;
 } lam_meridian;
 
-/* The surface of revolution x = (r(v) cos u, r(v) sin u, z(v)). Its normal x_u x x_v = r (z' cos u,
- * z' sin u, -r') points outward where the meridian rises. F = M = 0: the parameter lines are
- * curvature lines. */
+/* The surface of revolution x = (r(v) cos u, r(v) sin u, z(v)). Its normal x_u x x_v =
+ * r (z' cos u, z' sin u, -r') points outward where the meridian rises. F = M = 0: the parameter
+ * lines are curvature lines. */
 static inline void lam_jet_revolve(lam_meridian m, double u, lam_jet *jet) {
   double c = cos(u), s = sin(u);
   jet->x = lam_v3(m.r * c, m.r * s, m.z);
@@ -45,8 +56,10 @@ static inline void lam_jet_revolve(lam_meridian m, double u, lam_jet *jet) {
   jet->vv = lam_v3(m.ddr * c, m.ddr * s, m.ddz);
 }
 
-/* Names of the units in which control points may be listed, and their size in meters. */
+/* Names of the units in which control points may be listed. */
 static const char *const lam_point_units[] = {"m", "cm", "mm", NULL};
+
+/* The length in meters of a unit: an index of lam_point_units. */
 static inline double lam_point_unit(int choice) {
   static const double meters[] = {1, 0.01, 0.001};
   return meters[choice];

@@ -23,14 +23,18 @@ static void fail(const char *what, const char *text) {
 }
 
 /* Reads the design; returns a hash of all messages. */
-static uint64_t parse(const char *bytes, size_t count, const lam_override *overrides,
+static uint64_t parse(const char *bytes, size_t count, const char *const *overrides,
                       int override_count) {
+  lam_design_text text = {.bytes = bytes,
+                          .count = count,
+                          .path = "fuzz.yaml",
+                          .override_count = override_count,
+                          .overrides = overrides};
   lam_arena *arena = lam_arena_new();
   if (!arena) return 0;
   lam_errors errors = {.arena = arena};
   lam_design design;
-  bool good = lam_design_parse(arena, bytes, count, "fuzz.yaml", overrides, override_count, &errors,
-                               &design);
+  bool good = lam_design_parse(arena, &text, &errors, &design);
   uint64_t hash = 14695981039346656037u;
   if (good != (errors.count == 0)) fail("result", "messages and result disagree");
   if (good && (!design.name || !design.title || !design.source))
@@ -51,16 +55,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   memcpy(bytes, data, size);
   bytes[size] = 0;
   const char *rest = bytes;
-  lam_override override = {NULL};
+  const char *override = NULL;
   if (strncmp(bytes, "--set ", 6) == 0) {
     char *end = strchr(bytes, '\n');
     if (end) *end = 0;
-    override.text = bytes + 6;
+    override = bytes + 6;
     rest = end ? end + 1 : bytes + size;
   }
   size_t count = size - (size_t)(rest - bytes);
-  if (parse(rest, count, &override, override.text != NULL) !=
-      parse(rest, count, &override, override.text != NULL)) {
+  if (parse(rest, count, &override, override != NULL) !=
+      parse(rest, count, &override, override != NULL)) {
     fail("differs", "the same input gave other messages");
   }
   free(bytes);

@@ -6,8 +6,8 @@
  * that fill the one before. To hit others than the few at the end of a block, part of the first
  * block is used up beforehand, by another amount each time. */
 #include "design/design.h"
-#include "design/pipeline_run.h"
-#include "formats/format.h"
+#include "design/pipeline.h"
+#include "formats/list/formats.h"
 
 #include <malloc.h>
 #include <setjmp.h>
@@ -35,13 +35,6 @@ static const char stl_text[] =
     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
     "endfacet\nendsolid s\n";
 
-static bool load(void *context, lam_arena *arena, const char *path, lam_location location,
-                 lam_errors *errors, lam_trimesh *mesh) {
-  (void)context;
-  return lam_format_for(path)->read_triangles(arena, obj_text, strlen(obj_text), location, errors,
-                                              mesh);
-}
-
 enum { said_so = 1 };
 
 /* A design from text to files; returns the bytes that it makes. Checks of the parts have memory of
@@ -50,10 +43,16 @@ enum { said_so = 1 };
 static size_t make(lam_arena *arena, lam_errors *errors, const char *text) {
   lam_design design;
   lam_model model;
-  lam_loader loader = {.triangles = load};
-  if (!lam_design_parse(arena, text, strlen(text), "small.yaml", NULL, 0, errors, &design))
+  lam_trimesh reference;
+  lam_inputs inputs = {.reference = &reference};
+  lam_design_text source = {.bytes = text, .count = strlen(text), .path = "small.yaml"};
+  const lam_format *obj = lam_format_named("obj");
+  if (!obj->read_triangles(arena, obj_text, strlen(obj_text), (lam_location){0}, errors,
+                           &reference))
     return 0;
-  if (!lam_design_build(arena, &design, &loader, NULL, errors, &model)) return 0;
+  if (!lam_design_parse(arena, &source, errors, &design))
+    return 0;
+  if (!lam_pipeline_run(arena, &design, &inputs, NULL, errors, &model)) return 0;
   for (int i = 0; i < model.report->stage_count; i++) model.report->stages[i].seconds = 0;
   if (!lam_report_converged(model.report)) return said_so;
   size_t bytes = 0;
@@ -130,8 +129,8 @@ static size_t complain(lam_arena *arena, lam_errors *errors) {
   static const char wrong[] = "lamella: 1\nname: wrong\nsurfaces: {kind: enneper}\nnet: {kind: "
                               "asymptotik, grid: [1]}\nsheets: 7\n";
   lam_design design;
-  if (lam_design_parse(arena, wrong, strlen(wrong), "wrong.yaml", NULL, 0, errors, &design))
-    return 0;
+  lam_design_text text = {.bytes = wrong, .count = strlen(wrong), .path = "wrong.yaml"};
+  if (lam_design_parse(arena, &text, errors, &design)) return 0;
   size_t bytes = 0;
   for (const lam_error *e = errors->first; e; e = e->next) bytes += strlen(e->text);
   errors->count = 0;
@@ -146,7 +145,8 @@ static size_t run(task work, long failing, size_t used) {
   lam_alloc_fail_after(failing);
   lam_arena *arena = lam_arena_new();
   if (!arena) return 0;
-  if (!LAM_ARENA_TRY(arena)) {
+  jmp_buf point;
+  if (!LAM_ARENA_TRY(arena, point)) {
     lam_arena_free(arena);
     return 0;
   }
@@ -230,7 +230,8 @@ static void count_closed(void *handle) {
 }
 
 static void defer_until_it_fails(lam_arena *arena) {
-  if (!LAM_ARENA_TRY(arena)) return;
+  jmp_buf point;
+  if (!LAM_ARENA_TRY(arena, point)) return;
   for (;;) {
     opened++;
     lam_arena_defer(arena, count_closed, arena);

@@ -90,7 +90,7 @@ static void test_collocation(void **state) {
   double values[14], bezier[6] = {1, -2, 4, 3}; /* Bezier points of the cubic */
 #define CUBIC(t)                                                                                   \
   (pow(1 - (t), 3) - 6 * (t)*pow(1 - (t), 2) + 12 * (t) * (t) * (1 - (t)) + 3 * (t) * (t) * (t))
-  for (int i = 0; i < 14; i++) values[i] = CUBIC(space.places[i]);
+  for (int i = 0; i < 14; i++) values[i] = CUBIC(space.nodes[i]);
   lam_collocation_solve(f->arena, &space, 1, values);
   lam_bezier_elevate(3, 5, 1, bezier);
   for (int g = 0; g <= 20; g++) {

@@ -1,9 +1,8 @@
 /* A panel of a facade, from the shipped design to its flat pattern. */
 #include "core/error.h"
-#include "core/file.h"
 #include "core/numbers.h"
 #include "design/design.h"
-#include "design/pipeline_run.h"
+#include "tests/unit/design_fixture.h"
 #include "surf/spline/spline_surface.h"
 
 #include <math.h>
@@ -17,17 +16,6 @@
 #include <cmocka.h>
 
 static const char path[] = "templates/designs/cladding-panel.yaml";
-
-static void build(lam_arena *arena, lam_model *model) {
-  lam_errors errors = {.arena = arena};
-  lam_design *design = LAM_NEW(arena, lam_design, 1);
-  char *text;
-  size_t length;
-  if (lam_file_read(arena, path, 1 << 20, &errors, &text, &length) != LAM_OK ||
-      !lam_design_parse(arena, text, length, path, NULL, 0, &errors, design) ||
-      !lam_design_build(arena, design, NULL, NULL, &errors, model))
-    fail_msg("%s", errors.first->text);
-}
 
 static int compare(const void *a, const void *b) {
   double p = *(const double *)a, q = *(const double *)b;
@@ -89,7 +77,7 @@ static void the_pattern_is_true_to_size(void **state) {
   lam_arena *arena = lam_arena_new();
   lam_model model;
   double sides[4], cut[4];
-  build(arena, &model);
+  model = design_built(arena, path, 0, NULL);
   assert_int_equal(model.surface_count, 1);
   assert_int_equal(model.part_count, 1);
   measure_surface(arena, &model.surfaces[0], sides);
@@ -106,7 +94,7 @@ static void the_pattern_has_the_area_of_the_surface(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
   lam_model model;
-  build(arena, &model);
+  model = design_built(arena, path, 0, NULL);
   enum { places = 400 };
   const lam_spline_surface *s = &model.surfaces[0];
   const lam_nurbs *nurbs = lam_nurbs_make(arena, s);

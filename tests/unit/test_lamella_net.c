@@ -340,7 +340,8 @@ static void connector_messages(void **state) {
 static bool survives(int n) {
   lam_arena *arena = lam_arena_new();
   volatile bool done = false;
-  if (LAM_ARENA_TRY(arena)) {
+  jmp_buf point;
+  if (LAM_ARENA_TRY(arena, point)) {
     lam_mesh mesh = fixture_grid(arena, 9, 9, hypar);
     lam_workshop shop = fixture_workshop(arena, &mesh);
     lam_lamella_keys keys = fixture_keys();

@@ -2,8 +2,7 @@
  * curvature of the surface that a net lies on. */
 #include "net_fixture.h"
 
-#include "core/file.h"
-#include "design/pipeline_run.h"
+#include "tests/unit/design_fixture.h"
 #include "formats/format.h"
 #include "formats/plot/color_scale.h"
 #include "net/measures/layout.h"
@@ -13,7 +12,7 @@
 extern const lam_format lam_format_plot, lam_format_plot_gltf;
 
 static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *name) {
-  lam_net net = net_built(f, mesh);
+  lam_net net = net_design_built(f->arena, mesh);
   return lam_net_measure_one(f->arena, &net, net.mesh.vertices, name);
 }
 
@@ -88,24 +87,12 @@ static void nets_without_a_picture(void **state) {
 
 /* ---- designs ---- */
 
-static lam_model built(net_fixture *f, const char *path, int count, const lam_override *overrides) {
-  char *text;
-  size_t length;
-  lam_design *design = LAM_NEW(f->arena, lam_design, 1);
-  lam_model model;
-  if (lam_file_read(f->arena, path, 1 << 20, &f->errors, &text, &length) != LAM_OK ||
-      !lam_design_parse(f->arena, text, length, path, overrides, count, &f->errors, design) ||
-      !lam_design_build(f->arena, design, NULL, NULL, &f->errors, &model))
-    fail_msg("%s", f->errors.first->text);
-  return model;
-}
-
 /* Against the surface's derivatives in the middle of every face: the map from the rectangle takes
  * its sides to x_u, x_v. A face is a 32nd of the surface wide, and its medians differ from the
  * derivatives by the square of that. */
 static void parameter_distortion_is_that_of_the_derivatives(void **state) {
   net_fixture *f = *state;
-  lam_model model = built(f, "templates/designs/distortion-comparison.yaml", 0, NULL);
+  lam_model model = design_built(f->arena, "templates/designs/distortion-comparison.yaml", 0, NULL);
   const lam_map *map = &model.maps[1];
   assert_string_equal(map->summary.name, "parameter_distortion");
   assert_int_equal(map->count, 32 * 32);
@@ -130,9 +117,9 @@ static void parameter_distortion_is_that_of_the_derivatives(void **state) {
  * the net with. */
 static void maps_are_compared_on_one_scale(void **state) {
   net_fixture *f = *state;
-  const lam_override plots = {
+  const char *const plots = {
       "plots=[flattening_distortion, parameter_distortion, gauss_curvature]"};
-  lam_model model = built(f, "templates/designs/distortion-comparison.yaml", 1, &plots);
+  lam_model model = design_built(f->arena, "templates/designs/distortion-comparison.yaml", 1, &plots);
   const lam_map *m = model.maps;
   assert_true(m[0].range[0] == fmin(m[0].summary.min, m[1].summary.min));
   assert_true(m[0].range[1] == fmax(m[0].summary.max, m[1].summary.max));
@@ -161,11 +148,11 @@ static void maps_are_compared_on_one_scale(void **state) {
 static void the_curvature_of_the_surface_is_that_of_its_size(void **state) {
   net_fixture *f = *state;
   static const char path[] = "templates/designs/li-deng-general.yaml";
-  const lam_override at_4[] = {{"surface.size=4 m"}, {"surface.rotate=[30 deg, 0, 0]"}},
+  const char *const at_4[] = {"surface.size=4 m", "surface.rotate=[30 deg, 0, 0]"},
                      at_8 = {"surface.size=8 m"};
   double K[3];
-  lam_model models[3] = {built(f, path, 0, NULL), built(f, path, 1, at_4),
-                         built(f, path, 1, &at_8)};
+  lam_model models[3] = {design_built(f->arena, path, 0, NULL), design_built(f->arena, path, 1, at_4),
+                         design_built(f->arena, path, 1, &at_8)};
   for (int k = 0; k < 3; k++) {
     assert_string_equal(models[k].maps[0].summary.name, "surface_gauss_curvature");
     assert_int_equal(models[k].maps[0].summary.count, 33 * 33);
@@ -179,11 +166,11 @@ static void the_curvature_of_the_surface_is_that_of_its_size(void **state) {
  * are. */
 static void a_moved_net_has_no_surface(void **state) {
   net_fixture *f = *state;
-  const lam_override moved[] = {{"net={kind: free, grid: [8, 8], noise: 0.1}"}},
+  const char *const moved[] = {"net={kind: free, grid: [8, 8], noise: 0.1}"},
                      kept[] = {{"net={kind: free, grid: [8, 8]}"}};
   static const char path[] = "templates/designs/li-deng-general.yaml";
-  assert_int_equal(built(f, path, 1, kept).maps[0].summary.count, 81);
-  assert_int_equal(built(f, path, 1, moved).maps[0].summary.count, 0);
+  assert_int_equal(design_built(f->arena, path, 1, kept).maps[0].summary.count, 81);
+  assert_int_equal(design_built(f->arena, path, 1, moved).maps[0].summary.count, 0);
 }
 
 int main(void) {

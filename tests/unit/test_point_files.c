@@ -1,5 +1,5 @@
 /* Points from text files. */
-#include "formats/mesh/points.h"
+#include "formats/list/formats.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,8 +41,8 @@ static void test_dialects(void **state) {
     lam_errors errors = {.arena = arena};
     int count = 0;
     const lam_vec3 *points;
-    bool sound = lam_points_parse(arena, texts[i], strlen(texts[i]), (lam_location){.file = "f"},
-                                  &errors, &count, &points);
+    bool sound = lam_format_named("points")->read_points(
+        arena, texts[i], strlen(texts[i]), (lam_location){.file = "f"}, &errors, &count, &points);
     if (!sound || count != 2)
       fail_msg("%s: %d points, %s", texts[i], count, errors.first ? errors.first->text : "");
     assert_true(lam_distance(points[0], lam_v3(1.5, -2, 300)) == 0);
@@ -71,8 +71,8 @@ static void test_refusals(void **state) {
     int count = 0;
     const lam_vec3 *points;
     const char *text = cases[i].text;
-    assert_false(lam_points_parse(arena, text, strlen(text), (lam_location){.file = "f"}, &errors,
-                                  &count, &points));
+    assert_false(lam_format_named("points")->read_points(
+        arena, text, strlen(text), (lam_location){.file = "f"}, &errors, &count, &points));
     assert_int_equal(errors.count, 1);
     assert_int_equal(errors.first->location.line, cases[i].line);
     if (!strstr(errors.first->text, cases[i].part)) fail_msg("%s: %s", text, errors.first->text);

@@ -233,7 +233,7 @@ static void test_joins_by_hand(void **state) {
   lam_spline_surface off = plane(lam_v3(0, 0, 2), lam_v3(-4, 0, 0), lam_v3(0, 3, 0.3));
   join = lam_surface_join_test(arena, &round, &off, (int[]){3, 1}, 10, 1e-9);
   assert_string_equal(join.name, "none");
-  near(join.location[0], 1, 1e-12); /* the gap opens towards y = 3 */
+  near(join.parameter[0], 1, 1e-12); /* the gap opens towards y = 3 */
   near(join.gap, 0.3, 0.02);
 }
 

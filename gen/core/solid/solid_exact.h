@@ -1,4 +1,4 @@
-/* What solid.c asks of solid_shim.cc. */
+/* What solid.c asks of solid_shim.cc: the question about a solid that needs exact predicates. */
 #ifndef LAM_CORE_SOLID_SOLID_EXACT_H
 #define LAM_CORE_SOLID_SOLID_EXACT_H
 
@@ -11,7 +11,8 @@ extern "C" {
 
 /* The number of pairs of triangles that meet outside their shared vertices and edges. Exact; the
  * mesh may be open and need not be a manifold. Triangles without area are left out: their edges
- * belong to their neighbors. */
+ * belong to their neighbors. LAM_BAD_INPUT: an index out of range or a coordinate that is not
+ * finite. LAM_NO_MEMORY, LAM_FAILED. */
 lam_status lam_solid_self_intersections(const lam_trimesh *mesh, long *count);
 
 #ifdef __cplusplus

@@ -1,5 +1,6 @@
-/* CGAL behind a C face. One kernel: exact predicates; constructed points are rounded to double.
- * Needs -frounding-math. Nothing here allocates from an arena or lets an exception out. */
+/* CGAL behind a C face: search trees, self-intersections and overlaps, called through solid.h and
+ * solid_exact.h. One kernel: exact predicates; constructed points are rounded to double. Needs
+ * -frounding-math. Nothing here allocates from an arena or lets an exception out. */
 #include "core/solid/solid.h"
 
 #include "core/solid/prism.h"
@@ -117,6 +118,7 @@ struct Meets_triangle {
   bool do_intersect(int, const Node &node) const { return CGAL::do_overlap(box, node.bbox()); }
 };
 
+/* A walk that asks whether any triangle's box overlaps a box. */
 struct Meets_box {
   Bbox_3 box;
   bool found = false;
@@ -144,6 +146,7 @@ struct Meets_tree {
   }
 };
 
+/* Whether two surfaces have a point in common; exact. */
 bool surfaces_meet(const Tree &a, const Tree &b) {
   Meets_tree walk{b};
   a.traversal(0, walk);
@@ -154,6 +157,7 @@ bool surfaces_meet(const Tree &a, const Tree &b) {
 
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
+/* The boxes of all triangles that have an area, with their indices. */
 std::vector<Box> boxes_of(const Soup &soup) {
   std::vector<Box> boxes;
   boxes.reserve(soup.triangles.size());
@@ -167,6 +171,7 @@ std::vector<Box> boxes_of(const Soup &soup) {
  * other: whoever walks away from the vertex inside both leaves one of them through that edge. */
 bool meet_improperly(const Soup &soup, int i, int j) {
   std::array<int, 3> s = soup.triangles[i], t = soup.triangles[j];
+  /* What they share is moved to the front of both. */
   int common = 0;
   for (int k = 0; k < 3; k++)
     for (int l = common; l < 3; l++)
@@ -176,6 +181,7 @@ bool meet_improperly(const Soup &soup, int i, int j) {
         common++;
         break;
       }
+
   const auto &p = soup.points;
   switch (common) {
   case 0:
@@ -204,25 +210,30 @@ struct Component {
   int sign = 1;
 };
 
+/* The signed volume of the tetrahedron o a b c. */
 double corner_volume(const Point &o, const Point &a, const Point &b, const Point &c) {
   return (a - o) * CGAL::cross_product(b - o, c - o) / 6;
 }
 
+/* Bounds, volume, orientation and search tree of a component whose triangles are complete. */
 void finish(Component &component) {
   Soup &soup = component.soup;
   for (const Point &p : soup.points) component.box += p.bbox();
   for (const auto &t : soup.triangles)
     component.volume +=
         corner_volume(soup.points[0], soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+
   if (component.volume < 0) {
     component.sign = -1;
     component.volume = -component.volume;
     for (auto &t : soup.triangles) std::swap(t[1], t[2]);
   }
+
   component.tree.do_not_accelerate_distance_queries();
   build(component.tree, soup);
 }
 
+/* The halfedge mesh that corefinement works on. */
 Mesh surface_of(const Soup &soup) {
   Mesh mesh;
   mesh.reserve(soup.points.size(), soup.triangles.size() * 3 / 2, soup.triangles.size());
@@ -232,6 +243,7 @@ Mesh surface_of(const Soup &soup) {
   return mesh;
 }
 
+/* The volume enclosed by a closed mesh. */
 double volume_of(const Mesh &mesh) {
   double sum = 0;
   if (mesh.number_of_faces() == 0) return 0;
@@ -281,6 +293,7 @@ bool is_inside(const Component &component, const Point &p) {
   throw std::runtime_error("no segment avoids all edges");
 }
 
+/* The common volume by integration over prisms (prism.h). */
 double prism_volume(const Soup &a, const Soup &b) {
   const Soup *const soups[2] = {&a, &b};
   std::vector<lam_vec3> vertices[2];
@@ -292,6 +305,7 @@ double prism_volume(const Soup &a, const Soup &b) {
     meshes[k] = {(int)vertices[k].size(), vertices[k].data(), (int)triangles[k].size(),
                  reinterpret_cast<int(*)[3]>(triangles[k].data())};
   }
+
   double volume = 0;
   if (lam_prism_volume(&meshes[0], &meshes[1], &volume) != LAM_OK) throw std::bad_alloc();
   return volume;
@@ -324,6 +338,8 @@ double meeting_volume(const Component &a, const Component &b) {
   return std::min(std::max(prism_volume(a.soup, b.soup), 0.0), most);
 }
 
+/* The common volume of two components: of one of them when it lies inside the other, whose
+ * surfaces then do not meet. */
 double common_volume(const Component &a, const Component &b) {
   if (!CGAL::do_overlap(a.box, b.box)) return 0;
   if (surfaces_meet(a.tree, b.tree)) return meeting_volume(a, b);
@@ -332,18 +348,20 @@ double common_volume(const Component &a, const Component &b) {
   return 0;
 }
 
+/* A solid of the set. */
 struct Solid {
   std::vector<std::unique_ptr<Component>> components;
   Bbox_3 box;
 };
 
+/* p under frame; NULL: p itself. */
 Point placed(lam_vec3 p, const lam_pose *frame) {
   if (!frame) return point(p);
   lam_vec3 q = lam_along(frame->origin, p.x, frame->axis[0]);
   return point(lam_along(lam_along(q, p.y, frame->axis[1]), p.z, frame->axis[2]));
 }
 
-/* The components of a closed, oriented mesh; empty when it is not. */
+/* The components of a closed, oriented mesh; empty when it is not, or encloses no volume. */
 Solid solid_of(const lam_trimesh &mesh, const lam_pose *frame) {
   std::vector<int> component(mesh.triangle_count);
   std::vector<std::array<int, 3>> fan(mesh.triangle_count);
@@ -351,12 +369,15 @@ Solid solid_of(const lam_trimesh &mesh, const lam_pose *frame) {
   lam_status status = lam_topology_make(&mesh, component.data(),
                                         reinterpret_cast<int(*)[3]>(fan.data()), &topology);
   if (status == LAM_NO_MEMORY) throw std::bad_alloc();
+
   Solid solid;
   if (status != LAM_OK || topology.boundary_edges || !topology.oriented || !mesh.triangle_count)
     return solid;
+
   for (int c = 0; c < topology.components; c++)
     solid.components.push_back(std::make_unique<Component>());
   std::vector<int> number(topology.fans, -1);
+
   bool mirrors = frame && lam_dot(frame->axis[0], lam_cross(frame->axis[1], frame->axis[2])) < 0;
   for (int i = 0; i < mesh.triangle_count; i++) {
     Soup &soup = solid.components[component[i]]->soup;
@@ -372,6 +393,7 @@ Solid solid_of(const lam_trimesh &mesh, const lam_pose *frame) {
     if (mirrors) std::swap(t[1], t[2]);
     soup.triangles.push_back(t);
   }
+
   double volume = 0;
   for (auto &one : solid.components) {
     finish(*one);
@@ -384,6 +406,7 @@ Solid solid_of(const lam_trimesh &mesh, const lam_pose *frame) {
 
 /* ---- meshes from C ---- */
 
+/* A copy of a mesh, all triangles. */
 Soup soup_of(const lam_trimesh &mesh) {
   Soup soup;
   for (int i = 0; i < mesh.vertex_count; i++) soup.points.push_back(point(mesh.vertices[i]));
@@ -392,6 +415,7 @@ Soup soup_of(const lam_trimesh &mesh) {
   return soup;
 }
 
+/* Finite coordinates and indices in range. */
 bool usable(const lam_trimesh &mesh) {
   for (int i = 0; i < mesh.vertex_count; i++)
     if (!std::isfinite(mesh.vertices[i].x) || !std::isfinite(mesh.vertices[i].y) ||
@@ -416,6 +440,7 @@ struct lam_solid_set {
 
 extern "C" {
 
+/* Pairs of triangles whose boxes overlap are tested. */
 lam_status lam_solid_self_intersections(const lam_trimesh *mesh, long *count) {
   return guarded([&] {
     if (!usable(*mesh)) return LAM_BAD_INPUT;
@@ -430,6 +455,7 @@ lam_status lam_solid_self_intersections(const lam_trimesh *mesh, long *count) {
   });
 }
 
+/* The tree refers to the soup next to it, so both are made in place and stay there. */
 lam_tree *lam_tree_new(const lam_trimesh *mesh) {
   lam_tree *result = nullptr;
   guarded([&] {
@@ -463,6 +489,7 @@ void lam_tree_closest(const lam_tree *tree, lam_vec3 query, lam_vec3 *closest, i
 lam_solid_set *lam_solid_set_new(void) { return new (std::nothrow) lam_solid_set; }
 void lam_solid_set_free(void *set) { delete static_cast<lam_solid_set *>(set); }
 
+/* An empty solid is what solid_of refuses. */
 int lam_solid_set_add(lam_solid_set *set, const lam_trimesh *solid, const lam_pose *frame) {
   int index = -1;
   guarded([&] {
@@ -475,6 +502,7 @@ int lam_solid_set_add(lam_solid_set *set, const lam_trimesh *solid, const lam_po
   return index;
 }
 
+/* Sorted, because the order in which CGAL finds the pairs is its own. */
 lam_status lam_solid_set_candidates(const lam_solid_set *set, int (**pairs)[2], int *count) {
   *pairs = nullptr;
   *count = 0;
@@ -485,7 +513,9 @@ lam_status lam_solid_set_candidates(const lam_solid_set *set, int (**pairs)[2], 
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
       found.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
     });
+
     std::sort(found.begin(), found.end());
+
     *pairs =
         static_cast<int(*)[2]>(std::malloc(std::max<size_t>(1, found.size()) * sizeof **pairs));
     if (!*pairs) return LAM_NO_MEMORY;
@@ -496,15 +526,18 @@ lam_status lam_solid_set_candidates(const lam_solid_set *set, int (**pairs)[2], 
   });
 }
 
+/* The sum over pairs of components, with cavities counted negative. */
 lam_status lam_solid_set_overlap(const lam_solid_set *set, int i, int j, double *volume) {
   *volume = 0;
   return guarded([&] {
     int last = (int)set->solids.size();
     if (i < 0 || j < 0 || i >= last || j >= last || i == j) return LAM_BAD_INPUT;
+
     double sum = 0;
     for (const auto &a : set->solids[i].components)
       for (const auto &b : set->solids[j].components)
         sum += a->sign * b->sign * common_volume(*a, *b);
+
     *volume = std::max(sum, 0.0);
     return LAM_OK;
   });

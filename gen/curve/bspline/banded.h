@@ -11,14 +11,19 @@ typedef struct lam_banded {
   double *values; /* n x (2 half + 1) */
 } lam_banded;
 
+/* A zero matrix, n x n, owned by the arena. half >= 0: how many diagonals lie on each side of the
+ * main one. */
 lam_banded lam_banded_make(lam_arena *arena, int n, int half);
 /* The entry (i, j). Precondition: |i - j| <= half. */
 static inline double *lam_banded_at(const lam_banded *a, int i, int j) {
   return a->values + (size_t)i * (2 * a->half + 1) + (j - i + a->half);
 }
-/* Factors in place; false when a pivot is zero to rounding. */
+
+/* Factors a in place. False when a pivot is zero to rounding (16 epsilon of its row); a is
+ * spoiled then. */
 bool lam_banded_factor(lam_banded *a);
-/* Replaces b, n rows of `dimension` numbers, by the solution. */
+/* Replaces b, n rows of `dimension` numbers, by the solution x of A x = b. Precondition:
+ * lam_banded_factor returned true. */
 void lam_banded_solve(const lam_banded *a, int dimension, double *b);
 
 #endif

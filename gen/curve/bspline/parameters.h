@@ -1,4 +1,4 @@
-/* Parameters for points that a curve shall pass through. */
+/* Parameters for points that a curve shall pass through (Piegl & Tiller, The NURBS Book, 9.2.1). */
 #ifndef LAM_CURVE_BSPLINE_PARAMETERS_H
 #define LAM_CURVE_BSPLINE_PARAMETERS_H
 
@@ -11,10 +11,10 @@ typedef enum lam_parameters {
   LAM_PARAMETERS_MODIFIED_CHORD, /* like d, longer beside turns (Foley & Nielson 1989) */
   LAM_PARAMETERS_COUNT
 } lam_parameters;
-extern const char *const lam_parameters_names[]; /* NULL-terminated */
+extern const char *const lam_parameters_names[]; /* in the order of the kinds, NULL-terminated */
 
-/* t[0 .. count - 1] from 0 to 1, increasing. Precondition: count >= 2, neighboring points differ
- * (equal neighbors get equal parameters, except with uniform steps). */
+/* Fills t[0 .. count - 1], from 0 to 1, increasing. Precondition: count >= 2, neighboring points
+ * differ (equal neighbors get equal parameters, except with uniform steps). */
 void lam_parameters_choose(lam_parameters kind, int count, const lam_vec3 *points, double *t);
 
 #endif

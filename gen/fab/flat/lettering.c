@@ -1,13 +1,15 @@
+/* A stroke alphabet and its reading. Called by fab/flat/face.c and splice.c for strips, by
+ * fab/parts for panels and sheets. */
 #include "fab/flat/lettering.h"
 
 #include <stddef.h>
 #include <string.h>
 
-/* The alphabet. A character is a list of strokes, separated by spaces; a stroke is a list of points
- * x y on a grid where capitals are 6 wide and 9 high. A letter a, b, c as y means -1, -2, -3
- * (descenders). A point followed by ~ is not on the stroke but the middle control point of a
- * parabola, as in outline fonts: between two of them in a row, the stroke passes through their
- * midpoint. */
+/* The alphabet. A character is a list of strokes, separated by spaces; a stroke is a list of
+ * points x y on a grid where capitals are 6 wide and 9 high.
+ *   a, b, c as y: -1, -2, -3 (descenders)
+ *   ~ after a point: it is not on the stroke but the middle control point of a parabola, as in
+ *   outline fonts; between two of them in a row, the stroke passes through their midpoint */
 typedef struct glyph {
   char character;
   char width; /* in grid units */
@@ -88,11 +90,11 @@ static const glyph alphabet[] = {
 };
 static const glyph missing = {0, 6, "0009696000"};
 
+/* Height of capitals in grid units, line segments per parabola, most points of a stroke. */
 enum { HEIGHT = 9, PIECES = 5, MAX_POINTS = 128 };
 /* Between characters, in grid units. */
 static const double gap = 2.5;
-/* Grid units are this much narrower than high: upright letters, about 0.53 times as wide as high.
- */
+/* Grid units are this much narrower than high: upright letters, about .53 times as wide as high. */
 static const double narrow = 0.8;
 
 static const glyph *find(char character) {
@@ -111,6 +113,7 @@ double lam_lettering_width(const char *text, double height) {
   return units * narrow * height / HEIGHT;
 }
 
+/* The grid point written in two characters: x as a digit, y as a digit or as a letter below 0. */
 static lam_vec2 grid_point(const char *text) {
   int y = text[1] >= 'a' ? 'a' - 1 - text[1] : text[1] - '0';
   return lam_v2(text[0] - '0', y);
@@ -118,16 +121,19 @@ static lam_vec2 grid_point(const char *text) {
 
 static lam_vec2 middle(lam_vec2 a, lam_vec2 b) { return lam_v2((a.x + b.x) / 2, (a.y + b.y) / 2); }
 
-/* Reads one stroke and returns what follows it. A parabola a, b, c is (1-t)^2 a + 2 t (1-t) b + t^2
- * c. */
+/* Reads one stroke into points (room for MAX_POINTS) and returns what follows it. A parabola a,
+ * b, c is (1-t)^2 a + 2 t (1-t) b + t^2 c, drawn as PIECES segments. */
 static const char *read_stroke(const char *text, lam_vec2 *points, int *count) {
   bool pending = false;
   lam_vec2 control = {0, 0};
   *count = 0;
+
   while (*text && *text != ' ') {
     lam_vec2 point = grid_point(text);
     bool off = text[2] == '~';
     text += off ? 3 : 2;
+    /* The control point before this one waits for its end: this point, or the midpoint to the
+     * next control point. */
     if (pending) {
       lam_vec2 from = points[*count - 1], to = off ? middle(control, point) : point;
       for (int i = 1; i <= PIECES; i++) {
@@ -137,16 +143,20 @@ static const char *read_stroke(const char *text, lam_vec2 *points, int *count) {
       }
     } else if (!off)
       points[(*count)++] = point;
+
     control = point;
     pending = off;
   }
+
   return *text == ' ' ? text + 1 : text;
 }
 
+/* Strokes become open paths; x runs along the base line, in grid units. */
 void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_vec2 origin,
                        double angle, double height) {
   double unit = height / HEIGHT, x = 0;
-  lam_motion placement = {cos(angle), sin(angle), origin};
+  lam_motion motion = {cos(angle), sin(angle), origin};
+
   for (; *text; text++) {
     const glyph *shape = find(*text);
     for (const char *rest = shape->strokes; *rest;) {
@@ -154,10 +164,11 @@ void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_
       int count;
       rest = read_stroke(rest, points, &count);
       for (int i = 0; i < count; i++)
-        points[i] = lam_motion_apply(&placement,
+        points[i] = lam_motion_apply(&motion,
                                      lam_v2((x + points[i].x) * narrow * unit, points[i].y * unit));
       lam_paths_add(paths, layer, false, count, points);
     }
+
     x += shape->width + gap;
   }
 }

@@ -1,10 +1,12 @@
-/* Flat parts on sheets of stock. */
+/* Flat parts on sheets of stock: split where they are too long, widened by the kerf, nested.
+ * Called by design/parts_stage.c. */
 #ifndef LAM_FAB_FLAT_SHEET_H
 #define LAM_FAB_FLAT_SHEET_H
 
 #include "core/error.h"
 #include "core/model.h"
 
+/* The keys of `sheets` in a design, in meters. */
 typedef struct lam_sheet_options {
   double stock[2]; /* width and height of a sheet */
   double kerf;     /* width of the cut; 0: the outlines are drawn at their true size */
@@ -12,17 +14,22 @@ typedef struct lam_sheet_options {
   double spacing;  /* least distance between parts */
 } lam_sheet_options;
 
+/* In the order of materials and thicknesses; owned by the arena they were made in. */
 typedef struct lam_sheets {
   int count;
   lam_sheet *sheets;
 } lam_sheets;
 
 /* Lays every instance of every part with a flat pattern on sheets, grouped by material and
- * thickness in the order of the parts, and the splice plates with them. Parts longer than the stock
- * are split (fab/splice.h). Outlines are moved outward and holes inward by half the kerf. Parts lie
- * along the longer side of the stock; sheets are named sheet-01, sheet-02 ... Adds a message for
- * every part that does not fit (place: of the stock in the design); the result is then incomplete.
- * Everything is owned by arena. */
+ * thickness in the order of the parts, and the splice plates with them.
+ *
+ *   - Parts longer than the stock are split (fab/flat/splice.h).
+ *   - Outlines are moved outward and holes inward by half the kerf.
+ *   - Parts lie along the longer side of the stock.
+ *   - Sheets are named sheet-01, sheet-02 ...
+ *
+ * Adds a message for every part that does not fit (location: of the stock in the design); the
+ * result is then incomplete. Everything is owned by arena. */
 lam_sheets lam_sheets_make(lam_arena *arena, const lam_part *parts, int part_count,
                            lam_sheet_options options, lam_location location, lam_errors *errors);
 

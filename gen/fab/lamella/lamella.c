@@ -1,4 +1,6 @@
-/* The row `lamella`: strips normal to the net along its polylines, with half-lap slots. */
+/* The row `lamella`: strips normal to the net along its polylines, with half-lap slots. Its make
+ * function is called through the registry (fab/parts/part_kinds.c) by design/parts_stage.c; the
+ * geometry stands in lamella_grid.c, lamella_solid.c and lamella_flat.c. */
 #include "core/numbers.h"
 #include "core/solid/triangles.h"
 #include "fab/lamella/lamella_checks.h"
@@ -49,17 +51,21 @@ static const lam_key keys[] = {
     {0}};
 
 /* ---- checks of keys taken together ---- */
+/* Messages for keys that fit their ranges but not each other, or not the net. */
 static void check_keys(lam_workshop *shop, const lam_lamella_keys *k, lam_location location) {
   const int *family = k->families.items;
   double needed = k->thickness + 2 * k->joint.clearance;
+
   if (k->families.count < 1 || k->families.count > 2 ||
       (k->families.count == 2 && family[0] == family[1]))
     lam_error_add(shop->errors, location, "families", "expected [0], [1] or [0, 1]");
+
   if (k->pair > 0 && k->pair < needed)
     lam_error_add(
         shop->errors, location, "pair",
         "%g mm is less than the thickness and twice the clearance: expected 0 or at least %g mm",
         k->pair * 1e3, needed * 1e3);
+
   if (k->height < 8 * k->joint.clearance)
     lam_error_add(shop->errors, location, "joint.clearance",
                   "%g mm is too much for a height of %g mm: expected at most %g mm",
@@ -67,14 +73,16 @@ static void check_keys(lam_workshop *shop, const lam_lamella_keys *k, lam_locati
   if (k->height < k->thickness)
     lam_error_add(shop->errors, location, "height", "%g mm is less than the thickness of %g mm",
                   k->height * 1e3, k->thickness * 1e3);
+
   if (shop->net->family_conflicts)
     lam_error_add(shop->errors, location, NULL,
-                  "the polylines of this net do not fall into two families (%d edges in conflict), "
-                  "so lamellas cannot be slotted "
-                  "from two sides",
+                  "the polylines of this net do not fall into two families (%d edges in "
+                  "conflict), so lamellas cannot be slotted from two sides",
                   shop->net->family_conflicts);
 }
 
+/* A second row may carry another family: names are unique as long as no family has lamellas
+ * twice. */
 static void check_names(lam_workshop *shop, const lam_lamella_grid *grid, lam_location location) {
   for (int i = 0; i < grid->strip_count; i++)
     for (int k = 0; k < shop->part_count; k++)
@@ -94,11 +102,13 @@ static const lam_record_column columns[] = {
     {"slot_low", true, 4}, {"slot_high", true, 4}};
 enum { column_count = sizeof columns / sizeof columns[0] };
 
+/* The stations of a strip as the table that lamella.scad rebuilds it from: a row per station. */
 static lam_record *make_record(lam_arena *arena, const lam_lamella_grid *grid,
                                const lam_sheet_strip *strip) {
   double *value = LAM_NEW(arena, double, column_count * strip->station_count);
   lam_record *record = LAM_NEW(arena, lam_record, 1);
   *record = (lam_record){strip->name, strip->family, column_count, strip->station_count, value};
+
   for (int i = 0; i < strip->station_count; i++) {
     const lam_station *q = &strip->stations[i];
     const double row[column_count] = {q->x.x,
@@ -115,13 +125,14 @@ static lam_record *make_record(lam_arena *arena, const lam_lamella_grid *grid,
                                       q->slot_angle / LAM_DEGREE,
                                       q->slot_low,
                                       q->slot_high};
+
     memcpy(value + i * column_count, row, sizeof row);
   }
   return record;
 }
 
-/* Records of one kind share their settings: false when an earlier row has others, and OpenSCAD is
- * given solids then. */
+/* Adds the kind of records with the settings that all lamellas share. Records of one kind share
+ * their settings: false when an earlier row has others, and OpenSCAD is given solids then. */
 static bool add_record_kind(lam_workshop *shop, const lam_lamella_grid *grid,
                             const lam_lamella_keys *k) {
   const lam_setting all[] = {
@@ -132,12 +143,14 @@ static bool add_record_kind(lam_workshop *shop, const lam_lamella_grid *grid,
       {"slots", "Joint", "[0:1:1]", "1: with slots, 0: without",
        k->joint.kind == LAM_JOINT_HALF_LAP, false}};
   enum { count = sizeof all / sizeof all[0] };
+
   for (int i = 0; i < shop->record_kind_count; i++) {
     if (strcmp(shop->record_kinds[i].kind, "lamella") != 0) continue;
     for (int s = 0; s < count; s++)
       if (shop->record_kinds[i].settings[s].value != all[s].value) return false;
     return true;
   }
+
   lam_setting *settings = LAM_NEW(shop->arena, lam_setting, count);
   memcpy(settings, all, sizeof all);
   lam_workshop_record_kind(
@@ -146,6 +159,7 @@ static bool add_record_kind(lam_workshop *shop, const lam_lamella_grid *grid,
 }
 
 /* ---- parts ---- */
+/* The facts of a strip for the bill of materials; count receives their number. */
 static lam_fact *make_facts(lam_arena *arena, const lam_part *part, const lam_strip_measures *m,
                             int *count) {
   const lam_fact facts[] = {{"length", "m", part->length},
@@ -161,6 +175,7 @@ static lam_fact *make_facts(lam_arena *arena, const lam_part *part, const lam_st
   return copy;
 }
 
+/* The part of one strip: solid, mass, record (when its settings fit the kind) and facts. */
 static void add_part(lam_workshop *shop, const lam_lamella_grid *grid, const lam_sheet_strip *strip,
                      int class, bool record, const lam_strip_measures *measures) {
   lam_part part = {.name = strip->name,
@@ -170,6 +185,7 @@ static void add_part(lam_workshop *shop, const lam_lamella_grid *grid, const lam
                    .congruence = class,
                    .material = grid->material,
                    .length = strip->length};
+
   part.solid = lam_lamella_solid(shop->arena, grid, strip);
   part.mass = lam_trimesh_volume(&part.solid) * grid->material->density;
   if (record) part.record = make_record(shop->arena, grid, strip);
@@ -177,12 +193,16 @@ static void add_part(lam_workshop *shop, const lam_lamella_grid *grid, const lam
   lam_workshop_part(shop, part);
 }
 
+/* A crossing of lamellas for every node of the grid. In pairs its parts are the first sheets of
+ * both lamellas, and the position along each is the mean over its crossings with both sheets of
+ * the other. */
 static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
   int sheets = grid->pair > 0 ? 2 : 1;
   for (int i = 0; i < grid->node_count; i++) {
     const lam_grid_node *node = &grid->nodes[i];
     lam_crossing c = {
         .position = node->x, .normal = node->normal, .angle = node->angle, .flat_angle = NAN};
+
     for (int f = 0; f < 2; f++) {
       const lam_sheet_strip *strip = &grid->strips[node->lamella[f] * sheets];
       int k = 0, n = 0;
@@ -194,6 +214,7 @@ static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
       c.parts[f] = strip->part;
       c.along[f] /= n;
     }
+
     lam_workshop_crossing(shop, c);
   }
 }
@@ -209,18 +230,23 @@ static void add_axes(lam_workshop *shop, const lam_lamella_grid *grid) {
   }
 }
 
+/* Keys are checked first, then the net against them; parts are made only when nothing is wrong.
+ * The order of the steps matters: flat patterns and crossings refer to the parts of the strips. */
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const lam_lamella_keys *k = params;
   lam_lamella_grid *grid = LAM_NEW(shop->arena, lam_lamella_grid, 1);
   int before = shop->errors->count;
+
   check_keys(shop, k, location);
   if (shop->errors->count > before ||
       !lam_lamella_layout(shop, k, location, shop->part_count, grid))
     return;
+
   check_names(shop, grid, location);
   if (!grid->strip_count)
     lam_error_add(shop->errors, location, "families", "the net has no polylines of these families");
   if (shop->errors->count > before) return;
+
   int *class = LAM_NEW(shop->arena, int, grid->strip_count);
   lam_lamella_classes(shop->arena, grid, lam_workshop_next_class(shop), class);
   bool record = add_record_kind(shop, grid, k);
@@ -231,6 +257,7 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
     measures[i] = lam_strip_measure(shop->arena, grid, &grid->strips[i]);
     add_part(shop, grid, &grid->strips[i], class[i], record, &measures[i]);
   }
+
   add_axes(shop, grid);
   shop->lamella_grid = grid;
   lam_lamella_flats(shop);
@@ -242,21 +269,17 @@ const lam_part_kind lam_part_lamella = {
     .head = {.name = "lamella",
              .title = "Lamellas with half-lap slots",
              .doc = "Strips of sheet that stand normal to the net along its polylines, single or "
-                    "in pairs, slotted where they "
-                    "cross: family 0 opens up, family 1 opens down. They are named A01, A02 and so "
-                    "on in family 0, B01 and so "
-                    "on in family 1, with a and b for the left and the right sheet of a pair. On "
-                    "an asymptotic net they "
-                    "unroll to straight strips; on other nets they do not, and the report says by "
-                    "how much. A lamella along a "
-                    "closed polyline is cut once, midway between two nodes. At an irregular "
-                    "vertex, where more than two "
+                    "in pairs, slotted where they cross: family 0 opens up, family 1 opens down. "
+                    "They are named A01, A02 and so on in family 0, B01 and so on in family 1, "
+                    "with a and b for the left and the right sheet of a pair. On an asymptotic "
+                    "net they unroll to straight strips; on other nets they do not, and the "
+                    "report says by how much. A lamella along a closed polyline is cut once, "
+                    "midway between two nodes. At an irregular vertex, where more than two "
                     "lamellas meet, they end short of it.",
              .equation = "material { x + h m + y b : |h| <= height/2, |y| <= thickness/2 }, m "
-                         "normal to the net, b = m x t; slot "
-                         "width = thickness (1 + |cos a|) / sin a + 2 clearance; a partner at "
-                         "distance e from the node, on a "
-                         "sheet at distance d, stands at (d cos a - e) / sin a",
+                         "normal to the net, b = m x t; slot width = thickness (1 + |cos a|) / "
+                         "sin a + 2 clearance; a partner at distance e from the node, on a sheet "
+                         "at distance d, stands at (d cos a - e) / sin a",
              .source = "thesis 2.1, 3.2.4, fig. 3.21",
              .keys = keys,
              .params_size = sizeof(lam_lamella_keys)},

@@ -1,20 +1,24 @@
 /* Lamellas: strips normal to the net along its polylines, as stations. A sheet is one strip of
- * material; a lamella is one sheet, or a pair of sheets `pair` apart.
+ * material; a lamella is one sheet, or a pair of sheets `pair` apart. Made by lamella_grid.c;
+ * read by all of fab/lamella, and by later rows through lam_workshop.lamella_grid. Meters and
+ * radians.
  *
- * A station is a cross-section of a sheet. With the position x on the sheet's middle line, the unit
- * height direction m (along the net's normal) and the unit direction of travel t (perpendicular to
- * m), the thickness direction is b = m x t. The material is { x + h m + y b : |h| <= height/2, |y|
- * <= thickness/2 }, interpolated between stations. At a crossing both sheets have a station at the
- * same point with the same m: they share the line x + h m, so the joint is exact whatever the
- * twist.
+ * A station is a cross-section of a sheet. With the position x on the sheet's middle line, the
+ * unit height direction m (along the net's normal) and the unit direction of travel t
+ * (perpendicular to m), the thickness direction is b = m x t. The material is
+ *   { x + h m + y b : |h| <= height/2, |y| <= thickness/2 },
+ * interpolated between stations. At a crossing both sheets have a station at the same point with
+ * the same m: they share the line x + h m, so the joint is exact whatever the twist.
  *
  * At a crossing station the section becomes two, at x + low t and x + high t (both with the
  * directions of the station), and the cell between them is left out above the floor (family 0,
- * which opens up) or below it (family 1, which opens down): low  = slot_low  - width/2,  high =
- * slot_high + width/2 width = thickness (1 + |cos a|) / sin a + 2 clearance floor: h = -clearance
- * for family 0, +clearance for family 1. slot_low <= 0 <= slot_high is where the partner's middle
- * line moves while the grid is turned from the crossing angle to the scissor angle, both ways; a is
- * the smallest angle reached. */
+ * which opens up) or below it (family 1, which opens down):
+ *   low   = slot_low  - width/2
+ *   high  = slot_high + width/2
+ *   width = thickness (1 + |cos a|) / sin a + 2 clearance
+ *   floor: h = -clearance for family 0, +clearance for family 1
+ * slot_low <= 0 <= slot_high is where the partner's middle line moves while the grid is turned
+ * from the crossing angle to the scissor angle, both ways; a is the smallest angle reached. */
 #ifndef LAM_FAB_LAMELLA_LAMELLA_H
 #define LAM_FAB_LAMELLA_LAMELLA_H
 
@@ -30,6 +34,7 @@ typedef struct lam_station {
   double slot_angle;          /* a, see above */
 } lam_station;
 
+/* One sheet of a lamella. */
 typedef struct lam_sheet_strip {
   const char *name;          /* "A07", or "A07a" and "A07b" in a pair */
   int family, number, group; /* number counts from 1 in its family; group: index of the lamella */
@@ -49,11 +54,10 @@ typedef struct lam_grid_node {
 } lam_grid_node;
 
 typedef struct lam_lamella_grid {
-  double height, thickness, pair, clearance;
+  double height, thickness, pair, clearance; /* pair: 0 when lamellas are single sheets */
   int strip_count;
   lam_sheet_strip *strips;
-  lam_polyline
-      *axes; /* per lamella (strips[].group): the vertices of the net from its first to its last */
+  lam_polyline *axes; /* per lamella (strips[].group): vertices of the net, first to last */
   int node_count;
   lam_grid_node *nodes;
   const lam_material *material;

@@ -1,17 +1,22 @@
+/* The developed outline of a lamella with its slots. Called by lamella.c when all strips of a
+ * grid have become parts. */
 #include "fab/lamella/lamella_flat.h"
 #include "fab/flat/unroll.h"
 #include "fab/lamella/lamella_make.h"
 
 #include <math.h>
 
-/* Sheets of a pair run beside the asymptotic curve and develop to lines that leave their chord by
- * some 1e-4 of the length. Cut straight they are pushed into place with a strain of a few 1e-5
- * (straightening_strain in the report), far below what bending and twisting ask of them; 5e-4 is
- * where a workshop would begin to see the curve. */
-const double lam_flat_straight = 5e-4;
+/* A developed middle line that leaves its chord by less than this share of its length is cut
+ * straight. Sheets of a pair run beside the asymptotic curve and develop to lines that leave
+ * their chord by some 1e-4 of the length. Cut straight they are pushed into place with a strain
+ * of a few 1e-5 (straightening_strain in the report), far below what bending and twisting ask of
+ * them; 5e-4 is where a workshop would begin to see the curve. */
+static const double straight_enough = 5e-4;
 
-/* Reads the developed middle line from the stations. A straight one becomes its two ends. The line
- * of a reversed strip is mirrored end for end; across, up stays up. */
+/* The axis of the pattern, from the developed middle line of the stations (lam_unroll). A
+ * straight one becomes its two ends, any other line is turned so that its ends lie on the x axis,
+ * the first at the origin. The line of a reversed strip is mirrored end for end; across, up stays
+ * up. */
 static void develop(lam_arena *arena, const lam_sheet_strip *strip, lam_flat *flat) {
   int n = strip->station_count;
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, n), *m = LAM_NEW(arena, lam_vec3, n);
@@ -20,8 +25,9 @@ static void develop(lam_arena *arena, const lam_sheet_strip *strip, lam_flat *fl
     x[i] = strip->stations[i].x;
     m[i] = strip->stations[i].m;
   }
+
   lam_unroll(x, m, n, line);
-  if (lam_straightness(line, n) < lam_flat_straight) {
+  if (lam_straightness(line, n) < straight_enough) {
     axis[1] = lam_v2(strip->stations[n - 1].s - strip->stations[0].s, 0);
     flat->axis_count = 2;
   } else {
@@ -29,6 +35,7 @@ static void develop(lam_arena *arena, const lam_sheet_strip *strip, lam_flat *fl
     double mirror = flat->reversed ? -1 : 1, dx = mirror * (last.x - first.x),
            dy = last.y - first.y;
     double chord = hypot(dx, dy), c = chord > 0 ? dx / chord : 1, s = chord > 0 ? -dy / chord : 0;
+
     for (int i = 0; i < n; i++) {
       lam_vec2 p = line[flat->reversed ? n - 1 - i : i];
       double px = mirror * (p.x - first.x), py = p.y - first.y;
@@ -39,13 +46,15 @@ static void develop(lam_arena *arena, const lam_sheet_strip *strip, lam_flat *fl
   flat->axis = axis;
 }
 
-/* The slot of a station in the flat pattern (see fab/lamella.h for the sizes). */
+/* The slot of a station in the flat pattern (see fab/lamella/lamella.h for the sizes): above the
+ * floor in family 0, below it in family 1. */
 static lam_flat_slot slot_of(const lam_lamella_grid *grid, const lam_sheet_strip *strip,
                              const lam_station *station, bool reversed) {
   double low, high;
   lam_station_extent(grid, station, &low, &high);
   double first = strip->stations[0].s, last = strip->stations[strip->station_count - 1].s;
   double at = reversed ? last - station->s : station->s - first;
+
   lam_flat_slot slot = {at + (reversed ? -high : low), at + (reversed ? -low : high),
                         -grid->clearance, grid->height / 2, at};
   if (strip->family == 1) {
@@ -55,17 +64,24 @@ static lam_flat_slot slot_of(const lam_lamella_grid *grid, const lam_sheet_strip
   return slot;
 }
 
-/* One edge of the outline, from the start of the axis to its end, at h = side * height/2, with the
- * slots that open there. Between corner points the edge runs parallel to the axis. */
+/* One edge of the outline, from the start of the axis to its end, at h = side * height/2, with
+ * the slots that open there. Between corner points the edge runs parallel to the axis. points has
+ * room for axis->count + 4 slot_count; returns how many there are. */
 static int edge(const lam_flat *flat, const lam_axis *axis, double side, lam_vec2 *points) {
   double h = side * flat->height / 2;
   int count = 0, slot = 0, corner = 0;
   while (corner < axis->count || slot < flat->slot_count) {
     const lam_flat_slot *next = slot < flat->slot_count ? &flat->slots[slot] : NULL;
+
+    /* Corners of the axis and slots come in the order of their positions. */
     if (next && (corner == axis->count || next->low <= axis->s[corner])) {
       double floor = side > 0 ? next->bottom : next->top;
       bool open = side > 0 ? next->top >= h : next->bottom <= h;
+
+      /* A slot is a rectangle about the line across the strip at its middle; corners of the axis
+       * inside of it are left out. */
       lam_vec2 up, x = lam_axis_point(axis, next->at, 0, &up);
+
       double ends[4][2] = {
           {next->low, h}, {next->low, floor}, {next->high, floor}, {next->high, h}};
       for (int i = 0; i < 4 && open; i++) {
@@ -81,6 +97,7 @@ static int edge(const lam_flat *flat, const lam_axis *axis, double side, lam_vec
   return count;
 }
 
+/* The outline: the lower edge from start to end, then the upper one back, counterclockwise. */
 static void outline(lam_arena *arena, const lam_flat *flat, const lam_axis *axis,
                     lam_paths *paths) {
   int most = axis->count + 4 * flat->slot_count;
@@ -91,6 +108,7 @@ static void outline(lam_arena *arena, const lam_flat *flat, const lam_axis *axis
   lam_paths_add(paths, LAM_LAYER_CUT, true, count, points);
 }
 
+/* Axis, slots, outline, marks: each is drawn from what stands before it. */
 lam_flat *lam_lamella_flat(lam_arena *arena, const lam_lamella_grid *grid,
                            const lam_sheet_strip *strip) {
   lam_flat *flat = LAM_NEW(arena, lam_flat, 1);
@@ -100,6 +118,7 @@ lam_flat *lam_lamella_flat(lam_arena *arena, const lam_lamella_grid *grid,
   flat->height = grid->height;
   flat->reversed = strip->offset > 0;
   flat->slots = LAM_NEW(arena, lam_flat_slot, n);
+
   develop(arena, strip, flat);
   for (int i = 0; i < n; i++) {
     const lam_station *station = &strip->stations[flat->reversed ? n - 1 - i : i];
@@ -107,16 +126,17 @@ lam_flat *lam_lamella_flat(lam_arena *arena, const lam_lamella_grid *grid,
     names[flat->slot_count] = grid->strips[station->partner].name;
     flat->slots[flat->slot_count++] = slot_of(grid, strip, station, flat->reversed);
   }
+
   lam_axis axis = lam_axis_make(arena, flat->axis, flat->axis_count);
   lam_paths paths = {.arena = arena};
   outline(arena, flat, &axis, &paths);
   lam_flat_marks(arena, flat, strip->name, strip->family, grid->pair > 0, names, &paths);
-  flat->paths = paths.items;
-  flat->path_count = paths.count;
-  lam_paths_bounds(paths.items, paths.count, &flat->min, &flat->max);
+
+  lam_flat_set_paths(flat, &paths);
   return flat;
 }
 
+/* Single sheets and the sheets of pairs are strips alike, and every strip is a part. */
 void lam_lamella_flats(lam_workshop *workshop) {
   const lam_lamella_grid *grid = workshop->lamella_grid;
   for (int i = 0; grid && i < grid->strip_count; i++) {

@@ -1,4 +1,5 @@
-/* From a net to the stations of lamellas. */
+/* From a net to the stations of lamellas: which polylines carry them, where they cross, and the
+ * stations of every sheet. Called by lamella.c (lam_lamella_layout). */
 #include "core/numbers.h"
 #include "fab/lamella/lamella_make.h"
 #include "fab/lamella/lamella_patch.h"
@@ -11,18 +12,19 @@ enum { smallest_crossing = 5 }; /* degrees */
 typedef struct lamella {
   const lam_polyline *line;
   int number, strip; /* strip: index of its first sheet */
-  int first, last;   /* vertices of the line with stations */
-  bool hub[2];       /* ends short of a vertex where more than two lamellas meet */
+  int first, last;   /* indices on the line: the first and the last vertex with stations */
+  bool hub[2];       /* begins, ends short of a hub: a vertex where more than two lamellas meet */
 } lamella;
 
 /* What passes through a vertex. */
 typedef struct site {
   const lam_polyline *line[2]; /* a polyline per family, or NULL */
-  int location[2];             /* where it has the vertex */
+  int index[2];                /* of the vertex in it */
   int lamella[2], carried[2];  /* the lamella (the last found), and how many there are */
   int node;                    /* -1: none */
 } site;
 
+/* The grid while it is laid out, with what it is made from. */
 typedef struct layout {
   lam_workshop *shop;
   const lam_lamella_keys *keys;
@@ -38,12 +40,14 @@ static lam_vec3 at(const layout *l, int v) { return l->shop->net->mesh.vertices[
 
 /* ---- lamellas and where they meet ---- */
 
+/* A lamella for every polyline of the family that lamella_select.c chooses, numbered from 1. */
 static void add_lamellas(layout *l, int family) {
   const lam_net *net = l->shop->net;
   const bool *selected =
       lam_lamella_select(l->shop->arena, net, family, l->keys->every, l->keys->boundary);
   for (int i = 0, number = 0; i < net->polyline_count; i++) {
     if (!selected[i]) continue;
+
     const lam_polyline *line = &net->polylines[i];
     l->lamellas[l->lamella_count] = (lamella){.line = line,
                                               .number = ++number,
@@ -53,28 +57,33 @@ static void add_lamellas(layout *l, int family) {
   }
 }
 
+/* The polylines through every vertex: any of the net at first, then those that carry lamellas,
+ * which take precedence. */
 static void fill_sites(layout *l) {
   const lam_net *net = l->shop->net;
   l->sites = LAM_NEW(l->shop->arena, site, net->mesh.vertex_count);
   for (int v = 0; v < net->mesh.vertex_count; v++) l->sites[v].node = -1;
+
   for (int i = 0; i < net->polyline_count; i++)
     for (int k = 0; k < net->polylines[i].count; k++) {
       site *s = &l->sites[net->polylines[i].vertices[k]];
       s->line[net->polylines[i].family] = &net->polylines[i];
-      s->location[net->polylines[i].family] = k;
+      s->index[net->polylines[i].family] = k;
     }
+
   for (int i = 0; i < l->lamella_count; i++) {
     const lam_polyline *line = l->lamellas[i].line;
     for (int k = 0; k < line->count; k++) {
       site *s = &l->sites[line->vertices[k]];
       s->line[line->family] = line;
-      s->location[line->family] = k;
+      s->index[line->family] = k;
       s->lamella[line->family] = i;
       s->carried[line->family]++;
     }
   }
 }
 
+/* More than one lamella of a family: no slots can be cut there. A crossing has one of each. */
 static bool is_hub(const site *s) { return s->carried[0] > 1 || s->carried[1] > 1; }
 static bool is_crossing(const site *s) { return s->carried[0] == 1 && s->carried[1] == 1; }
 
@@ -83,6 +92,7 @@ static bool is_crossing(const site *s) { return s->carried[0] == 1 && s->carried
 static void trim(layout *l, lamella *a) {
   const int *v = a->line->vertices;
   if (a->line->closed) return;
+
   for (int end = 0; end < 2; end++) {
     int step = end ? -1 : 1, from = end ? a->last : a->first, k = from;
     a->hub[end] = is_hub(&l->sites[v[from]]);
@@ -90,6 +100,7 @@ static void trim(layout *l, lamella *a) {
       k = from + step;
     else
       while (k >= 0 && k < a->line->count && !is_crossing(&l->sites[v[k]])) k += step;
+
     if (k < 0 || k >= a->line->count) k = from;
     *(end ? &a->last : &a->first) = k;
   }
@@ -99,9 +110,10 @@ static void trim(layout *l, lamella *a) {
 
 static lam_patch site_patch(const layout *l, int v, int family) {
   const site *s = &l->sites[v];
-  return lam_patch_make(l->shop->net, l->shop->normals, v, s->line, s->location, family);
+  return lam_patch_make(l->shop->net, l->shop->normals, v, s->line, s->index, family);
 }
 
+/* The signed distance of a sheet (0 or 1) from its polyline, along b. */
 static double offset_of(const layout *l, int sheet) {
   return l->sheets == 1 ? 0 : sheet == 0 ? l->keys->pair / 2 : -l->keys->pair / 2;
 }
@@ -110,14 +122,18 @@ static void push(lam_sheet_strip *strip, lam_station q) {
   strip->stations[strip->station_count++] = q;
 }
 
+/* Appends the stations of a strip at vertex v: one where nothing crosses, otherwise one per sheet
+ * of the partner, in the order in which the strip meets them. */
 static void push_vertex(layout *l, lam_sheet_strip *strip, int v) {
   const site *s = &l->sites[v];
   lam_patch p = site_patch(l, v, strip->family);
   int family = strip->family;
+
   if (s->node < 0) {
     push(strip, lam_patch_station(&p, family, strip->offset));
     return;
   }
+
   const lamella *partner = &l->lamellas[s->lamella[1 - family]];
   lam_station found[2];
   double along[2] = {0, 0};
@@ -131,12 +147,13 @@ static void push_vertex(layout *l, lam_sheet_strip *strip, int v) {
       found[k].slot_low = found[k].slot_high = found[k].slot_angle = 0;
     along[k] = lam_dot(lam_sub(found[k].x, p.x), p.t[family]);
   }
+
   bool swap = l->sheets == 2 && along[0] > along[1];
   for (int k = 0; k < l->sheets; k++) push(strip, found[swap ? 1 - k : k]);
 }
 
-/* A plain station on the edge from -> to at the given distance from its start, moved by own along
- * b. */
+/* A station without a crossing on the edge from -> to at the given distance from its start, moved
+ * by own along b. */
 static lam_station edge_station(const layout *l, int from, int to, double distance, double own) {
   double length = lam_distance(at(l, from), at(l, to));
   lam_station q = {.partner = -1, .crossing = -1};
@@ -147,12 +164,14 @@ static lam_station edge_station(const layout *l, int from, int to, double distan
   return q;
 }
 
-/* How far from a hub a lamella must end: strips of half width w at an angle beta clear each other
- * from w / tan(beta/2) on. */
+/* How far from a hub the lamella towards the vertex `toward` must end, in meters: strips of half
+ * width w at an angle beta clear each other from w / tan(beta/2) on. beta is the smallest angle
+ * to the first edge of any other lamella that ends there. */
 static double setback(const layout *l, int hub, int toward) {
   lam_vec3 mine = lam_sub(at(l, toward), at(l, hub));
   double least = LAM_PI, w = (l->sheets - 1) * l->keys->pair / 2 + l->keys->thickness / 2 +
                              l->keys->joint.clearance;
+
   for (int i = 0; i < l->lamella_count; i++) {
     const lam_polyline *line = l->lamellas[i].line;
     for (int end = 0; end < 2 && !line->closed; end++) {
@@ -162,22 +181,26 @@ static double setback(const layout *l, int hub, int toward) {
         least = fmin(least, lam_angle(mine, lam_sub(at(l, next), at(l, hub))));
     }
   }
+
   return w / tan(least / 2) + l->keys->joint.clearance;
 }
 
+/* Appends the station at which a lamella ends short of its hub. False, with a message, when the
+ * edge is too short for that. */
 static bool push_hub(layout *l, lam_sheet_strip *strip, const lamella *a, int end) {
   const lam_polyline *line = a->line;
   int hub = line->vertices[end ? line->count - 1 : 0],
       next = line->vertices[end ? line->count - 2 : 1];
   double distance = setback(l, hub, next), length = lam_distance(at(l, hub), at(l, next));
+
   if (distance > 0.4 * length) {
     lam_error_add(l->shop->errors, l->location, "pair",
                   "at net vertex %d lamellas have to end %.1f mm short to clear each other, and "
-                  "the edge there is %.1f mm long: "
-                  "take a coarser net or thinner lamellas",
+                  "the edge there is %.1f mm long: take a coarser net or thinner lamellas",
                   hub + 1, distance * 1e3, length * 1e3);
     return false;
   }
+
   if (end)
     push(strip, edge_station(l, next, hub, length - distance, strip->offset));
   else
@@ -185,17 +208,19 @@ static bool push_hub(layout *l, lam_sheet_strip *strip, const lamella *a, int en
   return true;
 }
 
-/* The station that runs on straight from the first (step < 0) or last station. */
+/* The station that runs on straight from q by step (negative: backwards). */
 static lam_station extension(lam_station q, double step) {
   return (lam_station){
       .x = lam_along(q.x, step, q.t), .t = q.t, .m = q.m, .partner = -1, .crossing = -1};
 }
 
+/* Fills the stations of one sheet and their arc lengths. False when a hub is too near. */
 static bool fill_strip(layout *l, const lamella *a, lam_sheet_strip *strip) {
   const lam_polyline *line = a->line;
   int n = line->count, *v = line->vertices;
   double extend = l->keys->extend, gap = l->keys->joint.clearance;
   strip->stations = LAM_NEW(l->shop->arena, lam_station, 2 * n + 2);
+
   if (line->closed) { /* cut midway between the last vertex and the first; the ends leave the
                          clearance between them */
     double half = lam_distance(at(l, v[n - 1]), at(l, v[0])) / 2;
@@ -211,6 +236,7 @@ static bool fill_strip(layout *l, const lamella *a, lam_sheet_strip *strip) {
     if (a->hub[1] && !push_hub(l, strip, a, 1)) return false;
     if (!a->hub[1]) push(strip, extension(strip->stations[strip->station_count - 1], extend));
   }
+  /* Arc length of the polyline of stations: the developed middle line has the same edges. */
   for (int i = 1; i < strip->station_count; i++)
     strip->stations[i].s =
         strip->stations[i - 1].s + lam_distance(strip->stations[i - 1].x, strip->stations[i].x);
@@ -218,6 +244,7 @@ static bool fill_strip(layout *l, const lamella *a, lam_sheet_strip *strip) {
   return true;
 }
 
+/* A07, or A07a and A07b in a pair. */
 static const char *strip_name(const layout *l, const lamella *a, int sheet) {
   static const char *const suffix[] = {"a", "b"};
   return lam_arena_printf(l->shop->arena, "%c%02d%s", 'A' + a->line->family, a->number,
@@ -225,11 +252,12 @@ static const char *strip_name(const layout *l, const lamella *a, int sheet) {
 }
 
 /* Slots must leave material between them and at the ends: at least the thickness. Reports the
- * tightest place. */
+ * narrowest rib of all strips that have too little. */
 static void check_ribs(const layout *l) {
   const lam_lamella_grid *grid = l->grid;
   const lam_sheet_strip *worst = NULL;
   double least = grid->thickness, from = 0;
+
   for (int i = 0; i < grid->strip_count; i++) {
     const lam_sheet_strip *strip = &grid->strips[i];
     for (int k = 1; k < strip->station_count; k++) {
@@ -241,26 +269,30 @@ static void check_ribs(const layout *l) {
       least = rib, worst = strip, from = strip->stations[k - 1].s;
     }
   }
+
   if (worst)
     lam_error_add(l->shop->errors, l->location, "joint",
                   "%s would keep %.2f mm of material beside a slot, from %.1f mm after its start "
-                  "on, and at least the thickness "
-                  "(%.2f mm) is needed: take a coarser net, a larger pair or extend, less "
-                  "thickness or clearance, or a "
-                  "scissor angle nearer to 90 deg",
+                  "on, and at least the thickness (%.2f mm) is needed: take a coarser net, a "
+                  "larger pair or extend, less thickness or clearance, or a scissor angle nearer "
+                  "to 90 deg",
                   worst->name, least * 1e3, from * 1e3, grid->thickness * 1e3);
 }
 
+/* A node at every vertex where one lamella of each family passes. False, with a message, when two
+ * cross at less than smallest_crossing. */
 static bool fill_nodes(layout *l) {
   lam_lamella_grid *grid = l->grid;
   int before = l->shop->errors->count;
   grid->nodes = LAM_NEW(l->shop->arena, lam_grid_node, l->shop->net->mesh.vertex_count);
+
   for (int i = 0; i < l->lamella_count; i++) {
     const lam_polyline *line = l->lamellas[i].line;
     for (int k = 0; k < line->count && line->family == 0; k++) {
       int v = line->vertices[k];
       site *s = &l->sites[v];
       if (!is_crossing(s)) continue;
+
       lam_patch p = site_patch(l, v, 0);
       if (sin(p.angle) < sin(smallest_crossing * LAM_DEGREE)) {
         lam_error_add(l->shop->errors, l->location, NULL,
@@ -270,6 +302,7 @@ static bool fill_nodes(layout *l) {
                       p.angle / LAM_DEGREE, v + 1, smallest_crossing);
         return false;
       }
+
       s->node = grid->node_count;
       grid->nodes[grid->node_count++] =
           (lam_grid_node){v, {i, s->lamella[1]}, p.x, p.n, {p.t[0], p.t[1]}, p.angle};
@@ -278,6 +311,7 @@ static bool fill_nodes(layout *l) {
   return l->shop->errors->count == before;
 }
 
+/* Whether the key `families` names this family. */
 static bool wants(const lam_lamella_keys *keys, int family) {
   for (int i = 0; i < keys->families.count; i++)
     if (((const int *)keys->families.items)[i] == family) return true;
@@ -285,13 +319,37 @@ static bool wants(const lam_lamella_keys *keys, int family) {
 }
 
 /* The part of a polyline that a lamella follows, with the vertices of the hubs that it ends short
- * of. */
+ * of. Points into the net's polyline. */
 static lam_polyline axis_of(const lamella *a) {
   int first = a->first - a->hub[0], last = a->last + a->hub[1];
   return (lam_polyline){a->line->family, a->line->closed, last - first + 1,
                         a->line->vertices + first};
 }
 
+/* Fills the strips of all lamellas; their parts are numbered from part on. False when one cannot be
+ * made. */
+static bool fill_strips(layout *l, int part) {
+  lam_lamella_grid *grid = l->grid;
+  grid->strip_count = l->lamella_count * l->sheets;
+  grid->strips = LAM_NEW(l->shop->arena, lam_sheet_strip, grid->strip_count);
+
+  for (int i = 0; i < l->lamella_count; i++)
+    for (int k = 0; k < l->sheets; k++) {
+      const lamella *a = &l->lamellas[i];
+      lam_sheet_strip *strip = &grid->strips[a->strip + k];
+      *strip = (lam_sheet_strip){.name = strip_name(l, a, k),
+                                 .family = a->line->family,
+                                 .number = a->number,
+                                 .group = i,
+                                 .offset = offset_of(l, k),
+                                 .part = part + a->strip + k};
+      if (!fill_strip(l, a, strip)) return false;
+    }
+  return true;
+}
+
+/* Lamellas, sites, nodes, strips: each step needs the one before it. Ribs are checked last, on
+ * the finished stations. */
 bool lam_lamella_layout(lam_workshop *shop, const lam_lamella_keys *keys, lam_location location,
                         int part, lam_lamella_grid *grid) {
   layout l = {shop, keys, location, grid, keys->pair > 0 ? 2 : 1, 0, NULL, NULL};
@@ -301,28 +359,18 @@ bool lam_lamella_layout(lam_workshop *shop, const lam_lamella_keys *keys, lam_lo
                              .pair = keys->pair,
                              .clearance = keys->joint.clearance,
                              .material = &lam_materials[keys->material]};
+
   l.lamellas = LAM_NEW(shop->arena, lamella, shop->net->polyline_count);
   for (int f = 0; f < 2; f++)
     if (wants(keys, f)) add_lamellas(&l, f);
   fill_sites(&l);
   for (int i = 0; i < l.lamella_count; i++) trim(&l, &l.lamellas[i]);
   if (!fill_nodes(&l)) return false;
-  grid->strip_count = l.lamella_count * l.sheets;
-  grid->strips = LAM_NEW(shop->arena, lam_sheet_strip, grid->strip_count);
+
   grid->axes = LAM_NEW(shop->arena, lam_polyline, l.lamella_count);
   for (int i = 0; i < l.lamella_count; i++) grid->axes[i] = axis_of(&l.lamellas[i]);
-  for (int i = 0; i < l.lamella_count; i++)
-    for (int k = 0; k < l.sheets; k++) {
-      const lamella *a = &l.lamellas[i];
-      lam_sheet_strip *strip = &grid->strips[a->strip + k];
-      *strip = (lam_sheet_strip){.name = strip_name(&l, a, k),
-                                 .family = a->line->family,
-                                 .number = a->number,
-                                 .group = i,
-                                 .offset = offset_of(&l, k),
-                                 .part = part + a->strip + k};
-      if (!fill_strip(&l, a, strip)) return false;
-    }
+  if (!fill_strips(&l, part)) return false;
+
   check_ribs(&l);
   return shop->errors->count == before;
 }

@@ -1,4 +1,5 @@
-/* The row `panels`: a plate on every face of the net. */
+/* The row `panels`: a plate on every face of the net. Called through the registry (part_kinds.c)
+ * by design/parts_stage.c; the geometry of a plate stands in panel.c. */
 #include "core/solid/triangles.h"
 #include "fab/parts/panel.h"
 #include "fab/workshop.h"
@@ -29,18 +30,26 @@ typedef struct panel_set {
 
 /* ---- which faces ---- */
 
-/* Two colors, from face to face: they change across every edge (checker), or across edges of one
- * family (bands). Returns the number of edges where that cannot be continued. */
-static long color_faces(lam_arena *arena, const lam_net *net, const int (*neighbor)[4], int pattern,
-                        int *color) {
-  int faces = net->mesh.face_count, *queue = LAM_NEW(arena, int, faces), (*changes)[4];
-  changes = lam_arena_alloc(arena, (size_t)faces, sizeof *changes);
+/* For every face and side (from a corner to the next), whether the color changes across it: always
+ * on a checkerboard, for bands across the edges of one family. */
+static void find_changes(const lam_net *net, int pattern, int (*changes)[4]) {
   for (int e = 0; e < net->edge_count; e++)
     for (int side = 0; side < 2; side++)
       for (int k = 0, f = net->edges[e].face[side]; f >= 0 && k < 4; k++)
         if (net->mesh.faces[f][k] == net->edges[e].vertex[side])
           changes[f][k] =
               pattern == FACES_CHECKER || net->edges[e].family == pattern - FACES_BANDS_0;
+}
+
+/* Colors the faces 0 and 1 (color: face_count) so that they change across the edges of the pattern,
+ * spreading from the first face of every piece of the net. Returns the number of edges where that
+ * cannot be continued; they are met from both sides. */
+static long color_faces(lam_arena *arena, const lam_net *net, const int (*neighbor)[4], int pattern,
+                        int *color) {
+  int faces = net->mesh.face_count, *queue = LAM_NEW(arena, int, faces), (*changes)[4];
+  changes = lam_arena_alloc(arena, (size_t)faces, sizeof *changes);
+  find_changes(net, pattern, changes);
+
   for (int f = 0; f < faces; f++) color[f] = -1;
   long conflicts = 0;
   for (int start = 0; start < faces; start++) {
@@ -48,6 +57,7 @@ static long color_faces(lam_arena *arena, const lam_net *net, const int (*neighb
     if (color[start] >= 0) continue;
     color[start] = 0;
     queue[tail++] = start;
+
     for (; head < tail; head++)
       for (int k = 0, f = queue[head]; k < 4; k++) {
         int g = neighbor[f][k], wanted = color[f] ^ changes[f][k];
@@ -63,26 +73,33 @@ static long color_faces(lam_arena *arena, const lam_net *net, const int (*neighb
   return conflicts / 2;
 }
 
+/* Chooses the faces of the row and makes their panels. Faces of color 1 get the second material,
+ * or stay open when none is given; without a pattern all faces have color 0. */
 static panel_set make_set(lam_workshop *shop, const panels_keys *k) {
   const lam_net *net = shop->net;
   int faces = net->mesh.face_count, *color = LAM_NEW(shop->arena, int, faces), (*neighbor)[4];
   neighbor = lam_arena_alloc(shop->arena, (size_t)faces, sizeof *neighbor);
+
   double low = k->offset - k->thickness * (k->side == SIDE_OUTWARD    ? 0
                                            : k->side == SIDE_CENTERED ? 0.5
                                                                       : 1);
   panel_set set = {.keys = k, .layer = {low, low + k->thickness, k->gap, k->flat}};
+
   set.face = LAM_NEW(shop->arena, int, faces);
   set.panels = LAM_NEW(shop->arena, lam_panel, faces);
   set.material = LAM_NEW(shop->arena, const lam_material *, faces);
+
   lam_panel_neighbors(net, neighbor);
   if (k->faces != FACES_ALL)
     set.conflicts = color_faces(shop->arena, net, (const int(*)[4])neighbor, k->faces, color);
+
   for (int f = 0; f < faces; f++) {
     if (color[f] && !k->second_given) continue;
     if (!lam_panel_make(net, (const int(*)[4])neighbor, f, &set.layer, &set.panels[set.count])) {
       set.left_out++;
       continue;
     }
+
     set.material[set.count] = &lam_materials[color[f] ? k->second : k->material];
     set.face[set.count++] = f;
   }
@@ -100,6 +117,8 @@ static char row_letter(const lam_workshop *shop) {
   return letter > 'Z' ? 'Z' : letter;
 }
 
+/* The part of panel i; a twisted panel has no flat pattern. The area is that of a plate of this
+ * volume. */
 static lam_part *add_part(lam_workshop *shop, const panel_set *set, int i, const char *name,
                           int class) {
   const lam_panel *panel = &set->panels[i];
@@ -107,9 +126,11 @@ static lam_part *add_part(lam_workshop *shop, const panel_set *set, int i, const
   lam_part part = {.name = name, .kind = "panels", .family = -1, .group = -1, .congruence = class};
   part.material = set->material[i];
   part.solid = lam_panel_solid(shop->arena, panel, &set->layer);
+
   double volume = lam_trimesh_volume(&part.solid);
   part.mass = volume * part.material->density;
   if (panel->flat) part.flat = lam_panel_flat(shop->arena, panel, &set->layer, name);
+
   const lam_fact facts[] = {{"mass", "kg", part.mass},
                             {"area", "m2", volume / set->keys->thickness},
                             {"side 1", "m", lam_distance(x[0], x[1])},
@@ -123,6 +144,7 @@ static lam_part *add_part(lam_workshop *shop, const panel_set *set, int i, const
 
 /* ---- the report ---- */
 
+/* Largest and mean of numbers that come one by one. */
 typedef struct spread {
   double max, sum;
   long count;
@@ -134,12 +156,32 @@ static void take(spread *s, double value) {
   s->count++;
 }
 
+/* Adds a measure of a spread to a stage; nothing when it has no number. */
 static void measure(lam_workshop *shop, lam_stage *stage, const char *name, const char *unit,
                     const spread *s) {
   if (s->count)
     lam_stage_measure(shop->arena, stage, name, unit, s->max, s->sum / (double)s->count, s->count);
 }
 
+/* What the measures do not say: panels without a pattern, open faces, a pattern of faces that does
+ * not go on. warp: the largest, in mm. */
+static void add_notes(lam_workshop *shop, lam_stage *stage, const panel_set *set, long twisted,
+                      double warp) {
+  if (twisted)
+    lam_stage_note(shop->arena, stage,
+                   "%ld of %d panels are twisted: their diagonals pass at up to %.3g mm; they have "
+                   "no flat pattern",
+                   twisted, set->count, warp);
+  if (set->left_out)
+    lam_stage_note(shop->arena, stage, "%ld faces are too small for the gap and stay open",
+                   set->left_out);
+  if (set->conflicts)
+    lam_stage_note(shop->arena, stage, "the pattern of faces cannot be continued across %ld edges",
+                   set->conflicts);
+}
+
+/* The stage "panels". first: index of the first part of the set; classes: how many different plates
+ * its flat panels are. */
 static void report(lam_workshop *shop, const panel_set *set, int first, int classes) {
   lam_stage *stage = lam_workshop_stage(shop, "panels");
   spread area = {0}, size = {0}, warp = {0}, mass = {0}, unsound = {0};
@@ -155,6 +197,7 @@ static void report(lam_workshop *shop, const panel_set *set, int first, int clas
     take(&unsound, !lam_part_is_sound(shop->arena, part));
     twisted += !panel->flat;
   }
+
   double n = (double)set->count;
   lam_stage_measure(shop->arena, stage, "panel_count", "", n, n, set->count);
   measure(shop, stage, "panel_area", "m2", &area);
@@ -168,21 +211,13 @@ static void report(lam_workshop *shop, const panel_set *set, int first, int clas
                     set->count - twisted);
   lam_stage_measure(shop->arena, stage, "unsound_panels", "", unsound.sum, unsound.sum / n,
                     set->count);
+
   stage->converged = unsound.sum == 0;
   if (!stage->converged) stage->reason = "solids that are not sound";
-  if (twisted)
-    lam_stage_note(shop->arena, stage,
-                   "%ld of %d panels are twisted: their diagonals pass at up to %.3g mm; they have "
-                   "no flat pattern",
-                   twisted, set->count, warp.max);
-  if (set->left_out)
-    lam_stage_note(shop->arena, stage, "%ld faces are too small for the gap and stay open",
-                   set->left_out);
-  if (set->conflicts)
-    lam_stage_note(shop->arena, stage, "the pattern of faces cannot be continued across %ld edges",
-                   set->conflicts);
+  add_notes(shop, stage, set, twisted, warp.max);
 }
 
+/* Panels of a row are named by a letter and the number of their face in the net. */
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const panels_keys *k = params;
   panel_set set = make_set(shop, k);
@@ -193,9 +228,11 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
         k->gap * 1e3, k->thickness * 1e3, shop->net->mesh.face_count);
     return;
   }
+
   int *class = LAM_NEW(shop->arena, int, set.count), first = shop->part_count, digits = 1;
   int classes =
       lam_panel_classes(shop->arena, set.panels, set.count, lam_workshop_next_class(shop), class);
+
   char letter = row_letter(shop);
   for (int f = shop->net->mesh.face_count; f >= 10; f /= 10) digits++;
   for (int i = 0; i < set.count; i++) {
@@ -203,6 +240,7 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
     lam_progress_tell(shop->progress, "panels", (double)i / set.count, name);
     add_part(shop, &set, i, name, class[i]);
   }
+
   report(shop, &set, first, classes);
 }
 
@@ -235,18 +273,14 @@ static const lam_key keys[] = {
 const lam_part_kind lam_part_panels = {
     .head = {.name = "panels",
              .title = "A plate on every face",
-             .doc = "Faces whose corners lie in a plane become plates with square edges and a flat "
-                    "pattern; the gap "
-                    "between neighbors is the same all over the net, whatever the angle of the "
-                    "fold, and plates reach "
-                    "to the edge at the boundary. Other faces become twisted panels, thickened "
-                    "bilinear patches that "
+             .doc = "Faces whose corners lie in a plane become plates with square edges and a "
+                    "flat pattern; the gap between neighbors is the same all over the net, "
+                    "whatever the angle of the fold, and plates reach to the edge at the "
+                    "boundary. Other faces become twisted panels, thickened bilinear patches that "
                     "have to be formed; the report says how many and how far they are from flat. "
-                    "Panels are named "
-                    "after the number of their face: P001 and so on, Q001 in the second row of "
-                    "panels of a design. A "
-                    "panel that hits another one shows in the clash check: the net is folded too "
-                    "sharply there.",
+                    "Panels are named after the number of their face: P001 and so on, Q001 in the "
+                    "second row of panels of a design. A panel that hits another one shows in the "
+                    "clash check: the net is folded too sharply there.",
              .source = "thesis 3.1, planar quadrilaterals as panels",
              .keys = keys,
              .params_size = sizeof(panels_keys)},

@@ -1,4 +1,5 @@
-/* The list of parts. To add one: write its file, and add its line here. */
+/* The list of all kinds of parts, those of fab/lamella too: the registry that the key `parts` of
+ * a design chooses from. To add one: write its file, and add its line here. */
 #include "fab/workshop.h"
 
 /* clang-format off */

@@ -1,10 +1,12 @@
-/* What a skin promises, measured from its patches alone. */
+/* What a skin promises, measured from its patches alone. Called by skin.c. Sides r1, r2, r3, r4
+ * have the numbers 0 to 3 and lie at v = 0, u = 0, v = 1, u = 1. */
 #include "fab/parts/skin.h"
 #include "surf/spline/spline_surface.h"
 
-enum { PLACES = 17, SAMPLES = 8 }; /* along a side; inside a patch, in each direction */
+/* Parameters that are sampled: along a side, and inside a patch in each direction. */
+enum { SIDE_SAMPLES = 17, INNER_SAMPLES = 8 };
 
-/* Point and unit normal at place t of a side of a patch over the unit square. */
+/* Point and unit normal at the parameter t of a side of a patch over the unit square. */
 static void side_at(const lam_nurbs *nurbs, int number, double t, lam_vec3 *point,
                     lam_vec3 *normal) {
   lam_jet jet;
@@ -13,7 +15,8 @@ static void side_at(const lam_nurbs *nurbs, int number, double t, lam_vec3 *poin
   *normal = lam_unit(lam_cross(jet.u, jet.v));
 }
 
-/* The side of `to` that lies on a side of `from`, and whether it runs the other way; -1: none. */
+/* The side of `to` that lies on side `number` of `from`, and whether it runs the other way; -1:
+ * none. Their ends must agree to 1e-9 of the side's chord. */
 static int side_of(const lam_skin_mesh *mesh, const lam_nurbs *const *nurbs, int from, int number,
                    int to, bool *reversed) {
   lam_vec3 a[2], b[2], normal;
@@ -29,6 +32,7 @@ static int side_of(const lam_skin_mesh *mesh, const lam_nurbs *const *nurbs, int
   return -1;
 }
 
+/* Distance and angle of the normals across every common side, once per pair of neighbors. */
 static void measure_seams(const lam_skin_mesh *mesh, const lam_nurbs *const *nurbs,
                           lam_skin_facts *facts) {
   for (int c = 0; c < mesh->cell_count; c++)
@@ -36,21 +40,22 @@ static void measure_seams(const lam_skin_mesh *mesh, const lam_nurbs *const *nur
       bool reversed;
       int next = mesh->neighbors[c][s], other;
       if (next <= c || (other = side_of(mesh, nurbs, c, s, next, &reversed)) < 0) continue;
+
       facts->seams++;
-      for (int g = 0; g < PLACES; g++) {
-        double t = (double)g / (PLACES - 1);
+      for (int g = 0; g < SIDE_SAMPLES; g++) {
+        double t = (double)g / (SIDE_SAMPLES - 1);
         lam_vec3 p[2], n[2];
         side_at(nurbs[c], s, t, &p[0], &n[0]);
         side_at(nurbs[next], other, reversed ? 1 - t : t, &p[1], &n[1]);
         facts->gap = fmax(facts->gap, lam_distance(p[0], p[1]));
         double jump = lam_angle(n[0], n[1]);
         facts->jump = fmax(facts->jump, jump);
-        facts->jump_sum += jump / PLACES;
+        facts->jump_sum += jump / SIDE_SAMPLES;
       }
     }
 }
 
-/* The unit tangent of a side at an end, away from the corner there. */
+/* The unit tangent of a side at an end (0, 1), away from the corner there. */
 static lam_vec3 leaving(const lam_nurbs *nurbs, int number, int end) {
   lam_jet jet;
   lam_nurbs_eval(nurbs, number % 2 ? number / 2 : end, number % 2 ? end : number / 2, &jet);
@@ -58,7 +63,8 @@ static lam_vec3 leaving(const lam_nurbs *nurbs, int number, int end) {
 }
 
 /* Where a side of a patch ends on another one with a neighbor beyond, that has a side which
- * continues it: the angle between them. */
+ * continues it: the angle between them. crossing[side][end] is the side that is met at that end,
+ * and the end of it that lies there. */
 static void measure_kink(const lam_skin_mesh *mesh, const lam_nurbs *const *nurbs, int cell,
                          int side, int end, lam_skin_facts *facts) {
   static const struct {
@@ -68,6 +74,7 @@ static void measure_kink(const lam_skin_mesh *mesh, const lam_nurbs *const *nurb
       next = mesh->neighbors[cell][cross], other;
   bool reversed;
   if (next < 0 || (other = side_of(mesh, nurbs, cell, cross, next, &reversed)) < 0) return;
+
   if (reversed) there = 1 - there;
   lam_vec3 ahead = leaving(nurbs[next], crossing[other][there].side, crossing[other][there].end);
   lam_vec3 back = leaving(nurbs[cell], side, end);
@@ -75,32 +82,36 @@ static void measure_kink(const lam_skin_mesh *mesh, const lam_nurbs *const *nurb
   facts->joints++;
 }
 
-/* Normal curvature along the sides of a patch against the curvature of the surface. */
+/* Normal curvature along the sides of a patch against the curvature of the surface: |k_n| /
+ * sqrt(|K|). The corners are left out. */
 static void measure_sides(const lam_nurbs *nurbs, lam_skin_facts *facts) {
   for (int s = 0; s < 4; s++) {
     double most = 0;
-    for (int g = 1; g < PLACES - 1; g++) {
+    for (int g = 1; g < SIDE_SAMPLES - 1; g++) {
       lam_jet jet;
-      double t = (double)g / (PLACES - 1);
+      double t = (double)g / (SIDE_SAMPLES - 1);
       lam_nurbs_eval(nurbs, s % 2 ? s / 2 : t, s % 2 ? t : s / 2, &jet);
       lam_curvature at = lam_jet_curvature(&jet);
       double kn = s % 2 ? at.N / at.G : at.L / at.E, slant = fabs(kn) / sqrt(fabs(at.K));
       most = fmax(most, slant);
-      facts->slant_sum += slant / (PLACES - 2);
+      facts->slant_sum += slant / (SIDE_SAMPLES - 2);
     }
+
     facts->slant = fmax(facts->slant, most);
     facts->sides++;
     facts->exact += most <= 1e-8;
   }
 }
 
-/* Gaussian curvature and the angle of the parameter lines at places inside a patch. */
+/* Gaussian curvature and the angle of the parameter lines at samples inside a patch. */
 static void measure_inside(const lam_nurbs *nurbs, lam_skin_facts *facts) {
-  for (int g = 0; g < SAMPLES * SAMPLES; g++) {
+  for (int g = 0; g < INNER_SAMPLES * INNER_SAMPLES; g++) {
     lam_jet jet;
-    lam_nurbs_eval(nurbs, (g / SAMPLES + 0.5) / SAMPLES, (g % SAMPLES + 0.5) / SAMPLES, &jet);
+    lam_nurbs_eval(nurbs, (g / INNER_SAMPLES + 0.5) / INNER_SAMPLES,
+                   (g % INNER_SAMPLES + 0.5) / INNER_SAMPLES, &jet);
     lam_curvature at = lam_jet_curvature(&jet);
     double sine = lam_length(lam_cross(jet.u, jet.v)) / (lam_length(jet.u) * lam_length(jet.v));
+
     facts->samples++;
     facts->domes += !(at.K < 0);
     facts->largest_k = fmax(facts->largest_k, at.K);
@@ -109,6 +120,7 @@ static void measure_inside(const lam_nurbs *nurbs, lam_skin_facts *facts) {
   }
 }
 
+/* Sides, energy and curvature patch by patch; seams and joints when all patches are at hand. */
 lam_skin_facts lam_skin_measure(lam_arena *arena, const lam_skin_mesh *mesh,
                                 const lam_spline_surface *surfaces) {
   lam_skin_facts facts = {.largest_k = -INFINITY, .least_k = INFINITY, .least_sine = 1};
@@ -121,13 +133,15 @@ lam_skin_facts lam_skin_measure(lam_arena *arena, const lam_skin_mesh *mesh,
     facts.largest_energy = fmax(facts.largest_energy, energy);
     measure_inside(nurbs[c], &facts);
   }
+
   measure_seams(mesh, nurbs, &facts);
   for (int k = 0; k < 8 * mesh->cell_count; k++)
     measure_kink(mesh, nurbs, k / 8, k / 2 % 4, k % 2, &facts);
   return facts;
 }
 
-/* The distance of a point from a curve near parameter t, to second order. */
+/* The distance of a point from a curve near parameter t: three steps of Newton's method without
+ * the second derivative towards the foot of the perpendicular. */
 static double distance_from(const lam_quad_curve *curve, double t, lam_vec3 point) {
   lam_vec3 jet[4];
   for (int step = 0; step < 3; step++) {
@@ -138,6 +152,7 @@ static double distance_from(const lam_quad_curve *curve, double t, lam_vec3 poin
   return lam_distance(point, jet[0]);
 }
 
+/* Vertex k of `every` on a side is compared with the curve from the parameter k/every on. */
 double lam_skin_distance(const lam_net *net, const lam_skin_net *cells,
                          const lam_asymptotic_patch *patches) {
   double most = 0;

@@ -1,21 +1,25 @@
-/* Thin solids over patches: points and normals on a grid in every patch, those on common sides used
- * by both. */
+/* Thin solids over patches: points and normals on a grid in every patch, those on common sides
+ * used by both. Called by skin.c. */
+#include "fab/mesh_fill.h"
 #include "fab/parts/skin.h"
 #include "surf/spline/spline_surface.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+/* A corner of a cell, with its point. */
 typedef struct corner {
   lam_vec3 point;
   int cell, number;
 } corner;
 
+/* A side of a cell, between two corner points. */
 typedef struct side {
   int low, high; /* numbers of corner points */
   int cell, number;
 } side;
 
+/* For qsort: by the coordinates; equal points are neighbors then. */
 static int by_point(const void *a, const void *b) {
   const lam_vec3 *p = &((const corner *)a)->point, *q = &((const corner *)b)->point;
   if (p->x != q->x) return p->x < q->x ? -1 : 1;
@@ -23,6 +27,7 @@ static int by_point(const void *a, const void *b) {
   return (p->z > q->z) - (p->z < q->z);
 }
 
+/* For qsort: by the corner points, then by cell and number, so that the order is fixed. */
 static int by_corners(const void *a, const void *b) {
   const side *p = a, *q = b;
   if (p->low != q->low) return p->low - q->low;
@@ -33,6 +38,7 @@ static int by_corners(const void *a, const void *b) {
 /* Corners in the order (0,0), (1,0), (1,1), (0,1), and the corners of the sides r1, r2, r3, r4. */
 static const int side_corners[4][2] = {{0, 1}, {0, 3}, {3, 2}, {1, 2}};
 
+/* The jet of a surface at (u, v) in the unit square, whatever its knots. */
 static lam_jet jet_at(const lam_spline_surface *s, const lam_nurbs *nurbs, double u, double v) {
   lam_jet jet;
   double low[2], high[2];
@@ -44,17 +50,18 @@ static lam_jet jet_at(const lam_spline_surface *s, const lam_nurbs *nurbs, doubl
   return jet;
 }
 
-/* The index in a cell's grid of place k of a side, or of a corner. */
+/* The index in a cell's grid of point k (0 to n) of a side. */
 static int side_index(int number, int k, int n) {
   const int at[4] = {k * (n + 1), k, k * (n + 1) + n, n * (n + 1) + k};
   return at[number];
 }
 
+/* The same of a corner. */
 static int corner_index(int number, int n) {
   return number == 0 ? 0 : number == 1 ? n * (n + 1) : number == 2 ? n * (n + 1) + n : n;
 }
 
-/* Numbers equal corner points; ids: 4 per cell. Returns how many there are. */
+/* Numbers equal corner points from 0; ids: 4 per cell. Returns how many there are. */
 static int number_corners(lam_arena *arena, int count, const lam_skin_mesh *mesh,
                           const lam_vec3 *points, int *ids) {
   int n = mesh->subdivisions, numbers = 0;
@@ -69,64 +76,101 @@ static int number_corners(lam_arena *arena, int count, const lam_skin_mesh *mesh
   return numbers + (count > 0);
 }
 
-/* Two patches with the same corners share a side when its middles agree too. */
+/* Two patches with the same corners share a side when its middles agree too, to 1e-9 of its
+ * chord. */
 static bool agree(const lam_skin_mesh *mesh, const lam_vec3 *points, const side *a, const side *b,
                   bool reversed) {
   int n = mesh->subdivisions, all = (n + 1) * (n + 1), k = (n + 1) / 2;
   lam_vec3 p = points[a->cell * all + side_index(a->number, k, n)];
   lam_vec3 q = points[b->cell * all + side_index(b->number, reversed ? n - k : k, n)];
+
   double length = lam_distance(points[a->cell * all + side_index(a->number, 0, n)],
                                points[a->cell * all + side_index(a->number, n, n)]);
   return lam_distance(p, q) <= 1e-9 * length;
 }
 
-/* Gives every place of the grids an index; own[k] is the first place that has it. */
-static void share(lam_arena *arena, lam_skin_mesh *mesh, const lam_vec3 *points, int *own) {
-  int n = mesh->subdivisions, all = (n + 1) * (n + 1), count = mesh->cell_count;
-  int *ids = LAM_NEW(arena, int, 4 * count), *of_corner;
-  int numbers = number_corners(arena, count, mesh, points, ids);
-  side *sides = LAM_NEW(arena, side, 4 * count);
-  of_corner = LAM_NEW(arena, int, numbers);
-  memset(mesh->grid, -1, sizeof(int) * (size_t)(count * all));
-  for (int k = 0; k < numbers; k++) of_corner[k] = -1;
-  for (int k = 0; k < 4 * count; k++) {
-    int at = k / 4 * all + corner_index(k % 4, n), *index = &of_corner[ids[k]];
-    if (*index < 0) own[ *index = mesh->point_count++] = at;
+/* The grid points of all cells as they are numbered: own[k] is the first one with the index k. */
+typedef struct numbering {
+  lam_skin_mesh *mesh;
+  const lam_vec3 *points; /* of all grids, (subdivisions + 1)^2 per cell */
+  int *ids;               /* per cell and corner: the number of its point */
+  int *own;
+} numbering;
+
+/* Gives the corners of all cells their indices, equal corner points the same one, and lists the
+ * sides of all cells by the corners at their ends. */
+static void share_corners(lam_arena *arena, numbering *all, int ids, side *sides) {
+  lam_skin_mesh *mesh = all->mesh;
+  int n = mesh->subdivisions, size = (n + 1) * (n + 1), *of_corner = LAM_NEW(arena, int, ids);
+  for (int k = 0; k < ids; k++) of_corner[k] = -1;
+  for (int k = 0; k < 4 * mesh->cell_count; k++) {
+    int at = k / 4 * size + corner_index(k % 4, n), *index = &of_corner[all->ids[k]];
+    if (*index < 0) {
+      *index = mesh->point_count++;
+      all->own[*index] = at;
+    }
     mesh->grid[at] = *index;
-    int a = ids[4 * (k / 4) + side_corners[k % 4][0]],
-        b = ids[4 * (k / 4) + side_corners[k % 4][1]];
+
+    int a = all->ids[4 * (k / 4) + side_corners[k % 4][0]],
+        b = all->ids[4 * (k / 4) + side_corners[k % 4][1]];
     sides[k] = (side){a < b ? a : b, a < b ? b : a, k / 4, k % 4};
     mesh->neighbors[k / 4][k % 4] = -1;
   }
-  qsort(sides, (size_t)(4 * count), sizeof *sides, by_corners);
-  for (int k = 0; k < 4 * count; k++) {
-    const side *s = &sides[k], *before = k ? &sides[k - 1] : NULL;
-    bool same = before && before->low == s->low && before->high == s->high && s->low != s->high &&
-                mesh->neighbors[before->cell][before->number] < 0,
-         reversed = false;
-    if (same) {
-      reversed = ids[4 * s->cell + side_corners[s->number][0]] !=
-                 ids[4 * before->cell + side_corners[before->number][0]];
-      same = agree(mesh, points, s, before, reversed);
-    }
-    if (same) {
-      mesh->neighbors[s->cell][s->number] = before->cell;
-      mesh->neighbors[before->cell][before->number] = s->cell;
-    }
-    for (int j = 1; j < n; j++) {
-      int at = s->cell * all + side_index(s->number, j, n);
-      if (same) {
-        mesh->grid[at] =
-            mesh->grid[before->cell * all + side_index(before->number, reversed ? n - j : j, n)];
-      } else {
-        own[mesh->grid[at] = mesh->point_count++] = at;
-      }
-    }
+}
+
+/* Whether side s is the one before it in the list, in another cell: same ends, same middle, and not
+ * paired yet (a third patch on a side is no neighbor). reversed: they run against each other. */
+static bool is_shared(const numbering *all, const side *s, const side *before, bool *reversed) {
+  *reversed = false;
+  if (!before || before->low != s->low || before->high != s->high || s->low == s->high ||
+      all->mesh->neighbors[before->cell][before->number] >= 0)
+    return false;
+  *reversed = all->ids[4 * s->cell + side_corners[s->number][0]] !=
+              all->ids[4 * before->cell + side_corners[before->number][0]];
+  return agree(all->mesh, all->points, s, before, *reversed);
+}
+
+/* Gives the points between the ends of a side their indices: those of the side before it in the
+ * list when that is the same side, new ones otherwise. */
+static void share_side(numbering *all, const side *s, const side *before) {
+  lam_skin_mesh *mesh = all->mesh;
+  int n = mesh->subdivisions, size = (n + 1) * (n + 1);
+  bool reversed, same = is_shared(all, s, before, &reversed);
+  if (same) {
+    mesh->neighbors[s->cell][s->number] = before->cell;
+    mesh->neighbors[before->cell][before->number] = s->cell;
   }
-  for (int k = 0; k < count * all; k++)
+
+  for (int j = 1; j < n; j++) {
+    int at = s->cell * size + side_index(s->number, j, n);
+    if (same)
+      mesh->grid[at] =
+          mesh->grid[before->cell * size + side_index(before->number, reversed ? n - j : j, n)];
+    else
+      all->own[mesh->grid[at] = mesh->point_count++] = at;
+  }
+}
+
+/* Gives every grid point an index, common ones the same: corners, then sides, then what lies
+ * inside. own[k] becomes the first grid point with the index k. */
+static void share(lam_arena *arena, lam_skin_mesh *mesh, const lam_vec3 *points, int *own) {
+  int n = mesh->subdivisions, size = (n + 1) * (n + 1), count = mesh->cell_count;
+  numbering all = {mesh, points, LAM_NEW(arena, int, 4 * count), own};
+  int ids = number_corners(arena, count, mesh, points, all.ids);
+  side *sides = LAM_NEW(arena, side, 4 * count);
+  memset(mesh->grid, -1, sizeof(int) * (size_t)(count * size));
+  share_corners(arena, &all, ids, sides);
+
+  /* Sides with the same ends come one after the other. */
+  qsort(sides, (size_t)(4 * count), sizeof *sides, by_corners);
+  for (int k = 0; k < 4 * count; k++) share_side(&all, &sides[k], k ? &sides[k - 1] : NULL);
+
+  for (int k = 0; k < count * size; k++)
     if (mesh->grid[k] < 0) own[mesh->grid[k] = mesh->point_count++] = k;
 }
 
+/* Every cell is sampled on its own; common points keep the position and normal of the first cell
+ * that has them. */
 lam_skin_mesh lam_skin_mesh_make(lam_arena *arena, int count, const lam_spline_surface *surfaces,
                                  int subdivisions) {
   int n = subdivisions, all = (n + 1) * (n + 1);
@@ -136,6 +180,7 @@ lam_skin_mesh lam_skin_mesh_make(lam_arena *arena, int count, const lam_spline_s
            *normals = LAM_NEW(arena, lam_vec3, count * all);
   int *own = LAM_NEW(arena, int, count *all);
   mesh.neighbors = lam_arena_alloc(arena, (size_t)count, sizeof *mesh.neighbors);
+
   for (int c = 0; c < count; c++) {
     const lam_nurbs *nurbs = lam_nurbs_make(arena, &surfaces[c]);
     for (int k = 0; k < all; k++) {
@@ -145,6 +190,7 @@ lam_skin_mesh lam_skin_mesh_make(lam_arena *arena, int count, const lam_spline_s
       normals[c * all + k] = lam_unit(lam_cross(jet.u, jet.v));
     }
   }
+
   share(arena, &mesh, points, own);
   mesh.points = LAM_NEW(arena, lam_vec3, mesh.point_count);
   mesh.normals = LAM_NEW(arena, lam_vec3, mesh.point_count);
@@ -155,6 +201,7 @@ lam_skin_mesh lam_skin_mesh_make(lam_arena *arena, int count, const lam_spline_s
   return mesh;
 }
 
+/* Pieces are what is reached over common sides, each from its first cell. */
 int lam_skin_pieces(lam_arena *arena, const lam_skin_mesh *mesh, int *piece) {
   int *queue = LAM_NEW(arena, int, mesh->cell_count), pieces = 0;
   for (int c = 0; c < mesh->cell_count; c++) piece[c] = -1;
@@ -163,6 +210,7 @@ int lam_skin_pieces(lam_arena *arena, const lam_skin_mesh *mesh, int *piece) {
     int head = 0, tail = 0;
     queue[tail++] = c;
     piece[c] = pieces;
+
     while (head < tail) {
       int at = queue[head++];
       for (int k = 0; k < 4; k++) {
@@ -179,50 +227,65 @@ int lam_skin_pieces(lam_arena *arena, const lam_skin_mesh *mesh, int *piece) {
 
 /* ---- the solid ---- */
 
-static void add_quad(lam_trimesh *mesh, int a, int b, int c, int d) {
-  memcpy(mesh->triangles[mesh->triangle_count++], (int[3]){a, b, c}, sizeof(int[3]));
-  memcpy(mesh->triangles[mesh->triangle_count++], (int[3]){a, c, d}, sizeof(int[3]));
-}
-
-lam_trimesh lam_skin_shell(lam_arena *arena, const lam_skin_mesh *mesh, const int *piece,
-                           int number, double low, double high) {
-  int n = mesh->subdivisions, all = (n + 1) * (n + 1), count = 0, used = 0;
-  int *index = LAM_NEW(arena, int, mesh->point_count); /* 1 + number of the point in the piece */
+/* Numbers the points of one piece from 1, in the order in which its cells use them; 0: points of
+ * others. Returns how many there are; cells: how many cells the piece has. */
+static int number_points(const lam_skin_mesh *mesh, const int *piece, int number, int *index,
+                         int *cells) {
+  int size = (mesh->subdivisions + 1) * (mesh->subdivisions + 1), used = 0;
+  *cells = 0;
   for (int c = 0; c < mesh->cell_count; c++) {
     if (piece[c] != number) continue;
-    count++;
-    for (int k = 0; k < all; k++)
-      if (!index[mesh->grid[c * all + k]]) index[mesh->grid[c * all + k]] = ++used;
+    ++*cells;
+    for (int k = 0; k < size; k++)
+      if (!index[mesh->grid[c * size + k]]) index[mesh->grid[c * size + k]] = ++used;
   }
-  lam_trimesh solid = {2 * used, LAM_NEW(arena, lam_vec3, 2 * used), 0, NULL};
-  solid.triangles = (int(*)[3])lam_arena_alloc(arena, (size_t)(count * (4 * n * n + 8 * n)),
-                                               sizeof *solid.triangles);
+  return used;
+}
+
+/* Both sides of a cell: n x n quads above, and the same turned over, `used` points further on. */
+static void add_faces(lam_trimesh *solid, const int *grid, const int *index, int n, int used) {
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) {
+      int a = index[grid[i * (n + 1) + j]] - 1, b = index[grid[(i + 1) * (n + 1) + j]] - 1;
+      int d = index[grid[i * (n + 1) + j + 1]] - 1, e = index[grid[(i + 1) * (n + 1) + j + 1]] - 1;
+      lam_trimesh_quad(solid, a, b, e, d);
+      lam_trimesh_quad(solid, used + a, used + d, used + e, used + b);
+    }
+}
+
+/* The wall along side s of a cell. Sides r1 and r4 run counterclockwise around the patch, r2 and r3
+ * clockwise. */
+static void add_wall(lam_trimesh *solid, const int *grid, const int *index, int s, int n,
+                     int used) {
+  bool with = s == 0 || s == 3;
+  for (int k = 0; k < n; k++) {
+    int a = index[grid[side_index(s, with ? k : k + 1, n)]] - 1;
+    int b = index[grid[side_index(s, with ? k + 1 : k, n)]] - 1;
+    lam_trimesh_quad(solid, b, a, used + a, used + b);
+  }
+}
+
+/* See the header. Vertices: all upper points of the piece, then all lower ones in the same order;
+ * walls stand where the piece ends. */
+lam_trimesh lam_skin_shell(lam_arena *arena, const lam_skin_mesh *mesh, const int *piece,
+                           int number, double low, double high) {
+  int n = mesh->subdivisions, size = (n + 1) * (n + 1), cells;
+  int *index = LAM_NEW(arena, int, mesh->point_count);
+  int used = number_points(mesh, piece, number, index, &cells);
+  lam_trimesh solid = lam_trimesh_empty(arena, 2 * used, cells * (4 * n * n + 8 * n));
   for (int k = 0; k < mesh->point_count; k++) {
     if (!index[k]) continue;
     solid.vertices[index[k] - 1] = lam_along(mesh->points[k], high, mesh->normals[k]);
     solid.vertices[used + index[k] - 1] = lam_along(mesh->points[k], low, mesh->normals[k]);
   }
+
   for (int c = 0; c < mesh->cell_count; c++) {
     if (piece[c] != number) continue;
-    const int *grid = mesh->grid + c * all;
-    for (int i = 0; i < n; i++)
-      for (int j = 0; j < n; j++) {
-        int a = index[grid[i * (n + 1) + j]] - 1, b = index[grid[(i + 1) * (n + 1) + j]] - 1;
-        int d = index[grid[i * (n + 1) + j + 1]] - 1,
-            e = index[grid[(i + 1) * (n + 1) + j + 1]] - 1;
-        add_quad(&solid, a, b, e, d);
-        add_quad(&solid, used + a, used + d, used + e, used + b);
-      }
+    const int *grid = mesh->grid + c * size;
+    add_faces(&solid, grid, index, n, used);
     for (int s = 0; s < 4; s++) {
       int next = mesh->neighbors[c][s];
-      if (next >= 0 && piece[next] == number) continue;
-      for (int k = 0; k < n;
-           k++) { /* r1 and r4 run counterclockwise around the patch, r2 and r3 clockwise */
-        bool with = s == 0 || s == 3;
-        int a = index[grid[side_index(s, with ? k : k + 1, n)]] - 1;
-        int b = index[grid[side_index(s, with ? k + 1 : k, n)]] - 1;
-        add_quad(&solid, b, a, used + a, used + b);
-      }
+      if (next < 0 || piece[next] != number) add_wall(&solid, grid, index, s, n, used);
     }
   }
   return solid;

@@ -34,6 +34,10 @@ typedef struct lam_error {
 /* A word for a status: "bad input". A static text. */
 LAM_API const char *lam_status_text(lam_status status);
 
+/* The entry of names (a NULL-terminated list) that given is nearest to, or NULL when none is close
+ * enough to suggest. */
+LAM_API const char *lam_did_you_mean(const char *given, const char *const *names);
+
 LAM_END_DECLS
 
 #endif

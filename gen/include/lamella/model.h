@@ -186,7 +186,7 @@ typedef struct lam_map {
 typedef struct lam_printed {
   const char *name; /* unique */
   lam_trimesh mesh;
-  const lam_vec2 *places; /* 0 to 1 from the picture's lower left corner, per vertex */
+  const lam_vec2 *texture; /* 0 to 1 from the picture's lower left corner, per vertex */
   double max_stretch,
       mean_stretch; /* ratio of singular values of the map from the picture to the surface, >= 1 */
 } lam_printed;

@@ -1,35 +1,45 @@
+/* Nets of constant normal curvature: every star lies on a sphere of one radius. A row of lam_nets
+ * (net/kinds/nets.c); net/optimize.c calls it. */
 #include "con/thesis/thesis.h"
 #include "core/numbers.h"
+#include "net/guide.h"
 #include "net/net_kind.h"
 
 typedef struct params {
-  double radius;
+  double radius; /* meters, signed as in lam_spherical_star_params; 0: found by the solver */
   bool isogonal;
   double angle;
   bool angle_given;
 } params;
 
+/* An angle says nothing where `isogonal: no` lets the angles free. */
 static void check(lam_scope *scope, const params *p, lam_location location) {
   if (!p->isogonal && p->angle_given)
     lam_error_add(scope->errors, location, "net.angle",
                   "given together with isogonal: no; expected one of the two");
 }
 
+/* Spheres of one radius through all stars, and one angle between the tangents of the circles
+ * through three vertices of either polyline. */
 static void constrain(lam_scope *scope, const void *given, lam_location location) {
   const params *p = given;
   lam_spherical_star_params spheres = {p->radius, LAM_SPHERES_COMMON};
   lam_con_spherical_star.add(scope, &spheres, 1, location);
   check(scope, p, location);
   if (!p->isogonal) return;
+
+  /* Both constraints leave out the same irregular vertices: they count once. */
   long skipped = scope->skipped;
   lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .tangents = LAM_TANGENTS_CIRCLE},
                     1, location);
-  scope->skipped = skipped; /* the same vertices */
+  scope->skipped = skipped;
 }
 
-/* Centers are unknowns here: one that is very far away has no digits left for the sphere. */
-static const double farthest = 1e4; /* mean edges */
+/* Largest radius with centers as unknowns, in mean edges: the coordinates of a center that is
+ * very far away have no digits left for the sphere. */
+static const double farthest = 1e4;
 
+/* The same with centers and tangents as further unknowns (thesis 3.2.3). */
 static void constrain_thesis(lam_scope *scope, const void *given, lam_location location) {
   const params *p = given;
   check(scope, p, location);
@@ -41,6 +51,7 @@ static void constrain_thesis(lam_scope *scope, const void *given, lam_location l
     lam_thesis_equal_spheres(scope, p->radius / scope->unit, p->isogonal ? p->angle : NAN);
 }
 
+/* Radians; NAN: the crossing angle is free. */
 static double target_angle(const void *given) {
   const params *p = given;
   return p->isogonal ? p->angle : NAN;
@@ -74,39 +85,27 @@ static const char *const measures[] = {"star_curvature",
 const lam_net_kind lam_net_cmc = {
     .head = {"cmc", "Net of constant normal curvature (CMC net)",
              "Every vertex lies with its four neighbors on a sphere of one radius r, and the "
-             "families cross at right "
-             "angles: a discrete surface of constant mean curvature 1/r, as soap films under "
-             "pressure have, covered by "
-             "the diagonals of its isothermic curvature lines. As r grows without limit the net "
-             "becomes an orthogonal "
-             "asymptotic net on a minimal surface.",
+             "families cross at right angles: a discrete surface of constant mean curvature 1/r, "
+             "as soap films under pressure have, covered by the diagonals of its isothermic "
+             "curvature lines. As r grows without limit the net becomes an orthogonal asymptotic "
+             "net on a minimal surface.",
              "2 N.E1 / |E1|^2 = 2 N.E2 / |E2|^2 = 1/r, t1.t2 = cos(angle), t: tangents of circles "
              "through three vertices",
              "thesis 3.2, th. 3 and 5, cor. 1, def. 10", keys, sizeof(params)},
     .use = "Gridshells of repeated parts: strips normal to the surface unroll to arcs of the one "
-           "radius r, so they are "
-           "cut from sheet, or bent to one template, whatever their place; all nodes are "
-           "right-angled and alike. "
-           "Inflated roofs and membranes under even pressure have this shape.",
+           "radius r, so they are cut from sheet, or bent to one template, whatever their place; "
+           "all nodes are right-angled and alike. Inflated roofs and membranes under even pressure "
+           "have this shape.",
     .trouble = "Start near a surface of constant mean curvature, from the diagonals of an "
-               "isothermic (square) curvature "
-               "net: unduloid, nodoid and catenoid give one. The radius grows with the design: to "
-               "get another one, leave "
-               "it out, read star_curvature (1 / radius, with its sign) and change size by as "
-               "much; a radius a quarter "
-               "off, or of the wrong sign, squeezes edges until the net collapses or stalls. "
-               "Closed rings and fixed "
-               "boundaries prescribe much: leave the radius out or free the boundary then. Drag "
-               "boundaries, not rings "
-               "inside, which become jagged.",
+               "isothermic (square) curvature net: unduloid, nodoid and catenoid give one. The "
+               "radius grows with the design: to get another one, leave it out, read "
+               "star_curvature (1 / radius, with its sign) and change size by as much; a radius a "
+               "quarter off, or of the wrong sign, squeezes edges until the net collapses or "
+               "stalls. Closed rings and fixed boundaries prescribe much: leave the radius out or "
+               "free the boundary then. Drag boundaries, not rings inside, which become jagged.",
     .chart = LAM_CHART_DIAGONAL,
-    .schedule = {.fairness = 0,
-                 .hold = 0,
-                 .decay = .5,
-                 .floor = 1e-3,
-                 .tolerance = 1e-12,
-                 .max_iterations = 100},
-    .guide = {LAM_FAIR_POSITION, .3, 0},
+    .schedule = LAM_UNGUIDED_SCHEDULE,
+    .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
     .constrain_thesis = constrain_thesis,
     .measures = measures,

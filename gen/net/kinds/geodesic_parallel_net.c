@@ -1,3 +1,5 @@
+/* Geodesic parallel coordinates: a family of geodesics and lines across at right angles. A row of
+ * lam_nets (net/kinds/nets.c); net/optimize.c calls it. */
 #include "con/thesis/thesis.h"
 #include "net/net_kind.h"
 
@@ -7,22 +9,27 @@ static const char *const developables[] = {"no", "one-line", "thesis", NULL};
 static const char *const width_choices[] = {"free", "equal", "proportional", "constant", NULL};
 
 typedef struct params {
-  int geodesics;
+  int geodesics; /* the family of the geodesics, 0 or 1 */
   bool border;
   int developable; /* developable */
   int widths;      /* widths */
   bool isometric;
 } params;
 
+/* Geodesics and right angles at every star; the keys add conditions on the strips
+ * between two geodesics. */
 static void constrain(lam_scope *scope, const void *given, lam_location location) {
   const params *p = given;
   lam_con_geodesic_parallel.add(scope, &(lam_geodesic_params){p->geodesics, p->border}, 1,
                                 location);
+
+  /* Jacobi's equation with K = 0: strip widths change linearly along evenly divided geodesics. */
   if (p->developable != DEVELOPABLE_NO) {
     int lines = p->developable == DEVELOPABLE_THESIS ? LAM_LINES_ALL : LAM_LINES_MIDDLE;
     lam_con_jacobi.add(scope, &(lam_family_params){p->geodesics}, 1, location);
     lam_con_equal_edges.add(scope, &(lam_equal_edges_params){p->geodesics, lines}, 1, location);
   }
+
   if (p->widths != WIDTHS_FREE)
     lam_con_strip_widths.add(scope, &(lam_strip_params){p->geodesics, p->widths - WIDTHS_EQUAL}, 1,
                              location);
@@ -30,12 +37,14 @@ static void constrain(lam_scope *scope, const void *given, lam_location location
     lam_con_edge_length.add(scope, &(lam_edge_length_params){0, false}, 1, location);
 }
 
+/* The condition on the stars alone with unit edges as further unknowns (thesis 3.7.2). */
 static void constrain_thesis(lam_scope *scope, const void *given, lam_location location) {
   const params *p = given;
   if (p->developable != DEVELOPABLE_NO || p->widths != WIDTHS_FREE || p->isometric)
     lam_error_add(scope->errors, location, "net.solver",
                   "thesis together with developable, widths or isometric; expected lamella, or "
                   "none of these keys");
+
   lam_thesis_geodesic_parallel(scope, p->geodesics, p->border);
 }
 
@@ -82,28 +91,21 @@ const lam_net_kind lam_net_geodesic_parallel = {
     .head =
         {"geodesic-parallel", "Geodesic parallel coordinates",
          "One family are geodesics, the other crosses them at right angles, at constant distances: "
-         "every surface has "
-         "such nets, and the geodesics through one line across are free to choose. Bent strips of "
-         "wood or steel "
-         "that lie flat on the surface follow geodesics; straight planks clad it along them. Keys "
-         "make the net "
-         "nearly developable, isometric to a surface of revolution, or bend it without stretching.",
+         "every surface has such nets, and the geodesics through one line across are free to "
+         "choose. Bent strips of wood or steel that lie flat on the surface follow geodesics; "
+         "straight planks clad it along them. Keys make the net nearly developable, isometric to a "
+         "surface of revolution, or bend it without stretching.",
          "<e1, e2 - e4> = <e3, e2 - e4> = 0", "thesis 3.3", keys, sizeof(params)},
     .use = "Timber gridshells and cladding of planks: strips along geodesics unroll straight, "
-           "whatever the surface. With "
-           "equal widths all strips are copies of one pattern; developable nets can be made of "
-           "felt, leather, paper or "
-           "sheet metal. Give `reference` to lay the net on a given surface, solver: {fairness: "
-           "0.01} with it.",
+           "whatever the surface. With equal widths all strips are copies of one pattern; "
+           "developable nets can be made of felt, leather, paper or sheet metal. Give `reference` "
+           "to lay the net on a given surface, solver: {fairness: 0.01} with it.",
     .trouble = "On a reference nothing says where the net stays: fairness slides it, so pin "
-               "vertices by handles when it "
-               "matters, and expect lines to crowd where K > 0 focuses geodesics - end the net "
-               "before they meet. Handles "
-               "on corners do nothing; take [1, 1]. With isometric: yes or developable: thesis the "
-               "report says stalled "
-               "and over-determined: judge edge_strain, not the residual. Handles that only "
-               "stretching can reach show as "
-               "strains of a percent and more.",
+               "vertices by handles when it matters, and expect lines to crowd where K > 0 focuses "
+               "geodesics - end the net before they meet. Handles on corners do nothing; take [1, "
+               "1]. With isometric: yes or developable: thesis the report says stalled and "
+               "over-determined: judge edge_strain, not the residual. Handles that only stretching "
+               "can reach show as strains of a percent and more.",
     .chart = LAM_CHART_NATURAL,
     .schedule = {.fairness = 0,
                  .hold = 3,

@@ -1,4 +1,5 @@
-/* The list of nets. To add one: write its file, and add its line here. */
+/* The list of nets, read through lam_nets by design, library, cli and net/optimize.c. To add one:
+ * write its file, and add its line here. */
 #include "net/net_kind.h"
 
 /* clang-format off */

@@ -1,11 +1,14 @@
+/* Nets of flat faces. A row of lam_nets (net/kinds/nets.c); net/optimize.c calls it. */
 #include "con/thesis/thesis.h"
 #include "net/net_kind.h"
 
+/* The diagonals of every face meet. */
 static void constrain(lam_scope *scope, const void *params, lam_location location) {
   (void)params;
   lam_con_planar_face.add(scope, NULL, 1, location);
 }
 
+/* The same with a normal as a further unknown in every face. */
 static void constrain_thesis(lam_scope *scope, const void *params, lam_location location) {
   (void)params, (void)location;
   lam_thesis_planar_faces(scope);
@@ -21,8 +24,7 @@ const lam_net_kind lam_net_planar_quads = {
              0},
     .use = "Cladding of flat panels: every face can be cut from glass or sheet.",
     .trouble = "Start from a conjugate net: principal lines are the safe choice. Far from "
-               "conjugate, faces turn to "
-               "slivers; the shortest edge tells.",
+               "conjugate, faces turn to slivers; the shortest edge tells.",
     .chart = LAM_CHART_PRINCIPAL,
     .schedule = {.fairness = .3,
                  .hold = 0,

@@ -1,3 +1,5 @@
+/* Voss nets: geodesic nets with flat faces. A row of lam_nets (net/kinds/nets.c);
+ * net/optimize.c calls it. */
 #include "net/guide.h"
 #include "net/net_kind.h"
 
@@ -5,6 +7,7 @@ typedef struct params {
   bool boundary_length;
 } params;
 
+/* The conditions of a geodesic net, and flat faces. */
 static void constrain(lam_scope *scope, const void *given, lam_location location) {
   const params *p = given;
   lam_con_opposite_angles.add(scope, NULL, 1, location);
@@ -25,16 +28,14 @@ static const char *const measures[] = {
 const lam_net_kind lam_net_voss = {
     .head = {"voss", "Voss net",
              "A geodesic net with flat faces: opposite angles are equal at every vertex and every "
-             "face is planar. Such a "
-             "net of rigid panels with hinges along its edges can be folded as a mechanism with "
-             "one degree of freedom.",
+             "face is planar. Such a net of rigid panels with hinges along its edges can be folded "
+             "as a mechanism with one degree of freedom.",
              "<e1,e2> = <e3,e4>, <e2,e3> = <e4,e1>; faces planar", "thesis 3.4", keys,
              sizeof(params)},
     .use = "Foldable structures of flat panels, and cladding of flat panels on strips that unroll "
            "straight.",
     .trouble = "Voss nets are rare: expect the surface to change by edges, not by millimeters. "
-               "Conjugate starts move "
-               "least. The plane is one too; flattened is reported.",
+               "Conjugate starts move least. The plane is one too; flattened is reported.",
     .chart = LAM_CHART_NATURAL,
     .schedule = LAM_GUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,

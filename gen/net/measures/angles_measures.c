@@ -1,27 +1,26 @@
+/* Crossing angles of the families and turning angles of the polylines at regular vertices, in
+ * degrees. Rows of the list in net/measures/measure.c, which calls them. */
 #include "core/numbers.h"
-#include "net/measures/measure.h"
+#include "net/measures/measuring.h"
 
 #include <math.h>
 
-static double star_angle(const lam_measuring *in, const lam_star *star) {
-  lam_vec3 e[4];
-  for (int k = 0; k < 4; k++)
-    e[k] = lam_unit(lam_sub(in->positions[star->neighbor[k]], in->positions[star->center]));
-  return lam_angle(lam_sub(e[0], e[2]), lam_sub(e[1], e[3]));
-}
-
+/* |crossing angle - target_angle|. */
 static void angle_deviation(const lam_measuring *in, double *values) {
   for (int s = 0; s < in->net->star_count; s++)
     values[in->net->stars[s].center] =
-        fabs(star_angle(in, &in->net->stars[s]) - in->target_angle) * LAM_DEGREES_PER_RADIAN;
+        fabs(lam_star_crossing_angle(in, &in->net->stars[s]) - in->target_angle) *
+        LAM_DEGREES_PER_RADIAN;
 }
 
 static void crossing_angle(const lam_measuring *in, double *values) {
   for (int s = 0; s < in->net->star_count; s++)
-    values[in->net->stars[s].center] = star_angle(in, &in->net->stars[s]) * LAM_DEGREES_PER_RADIAN;
+    values[in->net->stars[s].center] =
+        lam_star_crossing_angle(in, &in->net->stars[s]) * LAM_DEGREES_PER_RADIAN;
 }
 
-/* Angle between the edge that arrives at a star and the one that leaves it, in degrees. */
+/* Angle between the edge of a family that arrives at a star and the one that leaves
+ * it, in degrees. */
 static double turn(const lam_measuring *in, const lam_star *star, int family) {
   lam_vec3 c = in->positions[star->center];
   return lam_angle(lam_sub(in->positions[star->neighbor[family]], c),
@@ -29,6 +28,7 @@ static double turn(const lam_measuring *in, const lam_star *star, int family) {
          LAM_DEGREES_PER_RADIAN;
 }
 
+/* The larger turn of both families; not a number where one of them is not. */
 static void turning_angle(const lam_measuring *in, double *values) {
   for (int s = 0; s < in->net->star_count; s++) {
     const lam_star *star = &in->net->stars[s];

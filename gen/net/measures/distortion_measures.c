@@ -1,8 +1,10 @@
 /* How much a net is drawn out against a picture of it in the plane: the flattened net, or a
  * rectangle of even cells. In the middle of a face the map takes the medians of the flat face to
- * those in space. */
+ * those in space. Rows of the list in net/measures/measure.c; measure.c and measure_map.c ask for
+ * the pictures (layout.h). */
 #include "core/solid/triangles.h"
 #include "net/measures/layout.h"
+#include "net/measures/measuring.h"
 #include "surf/flatten/flatten.h"
 
 #include <string.h>
@@ -11,22 +13,24 @@
 
 static const lam_vec2 *evenly_spaced(const lam_measuring *in);
 
-/* Turned like the rectangle, so that the pictures can be compared. */
+/* The vertices of the flattened net in in->arena, turned like the rectangle where there is one,
+ * so that the pictures can be compared; NULL: the net is no disk. */
 static const lam_vec2 *flattened(const lam_measuring *in) {
   const lam_net *net = in->net;
   int n = net->mesh.vertex_count;
-  lam_mesh placed = net->mesh;
+  lam_mesh mesh = net->mesh;
   lam_flat_mesh disk;
-  lam_vec3 *normals = LAM_NEW(in->arena, lam_vec3, n);
-  placed.vertices = LAM_NEW(in->arena, lam_vec3, n);
-  memcpy(placed.vertices, in->positions, (size_t)n * sizeof *placed.vertices);
-  lam_net_normals(net, in->positions, normals);
-  lam_trimesh triangles = lam_mesh_triangles(in->arena, &placed);
-  if (!lam_flat_disk(in->arena, n, placed.vertices, normals, triangles.triangle_count,
+  mesh.vertices = LAM_NEW(in->arena, lam_vec3, n);
+  memcpy(mesh.vertices, in->positions, (size_t)n * sizeof *mesh.vertices);
+  const lam_vec3 *normals = lam_measuring_normals(in);
+  lam_trimesh triangles = lam_mesh_triangles(in->arena, &mesh);
+  if (!lam_flat_disk(in->arena, n, mesh.vertices, normals, triangles.triangle_count,
                      (const int(*)[3])triangles.triangles, &disk))
     return NULL;
+
   const lam_vec2 *points = lam_flatten(in->arena, &disk).points, *rectangle = evenly_spaced(in);
   if (!rectangle) return points;
+
   lam_vec2 *turned = LAM_NEW(in->arena, lam_vec2, n);
   memcpy(turned, points, (size_t)n * sizeof *turned);
   lam_flat_align(n, rectangle, turned);
@@ -35,37 +39,40 @@ static const lam_vec2 *flattened(const lam_measuring *in) {
 
 /* ---- a rectangle of even cells ---- */
 
-/* Writes the place of every vertex on its polyline of a family; false unless all lines are open and
- * of one length. */
-static bool places_along(const lam_net *net, int family, int *place, int *count) {
+/* Writes the index of every vertex along its polyline of a family, and the number of vertices of
+ * these lines; false unless all of them are open, of one length, and meet every vertex once. */
+static bool indices_along(const lam_net *net, int family, int *index, int *count) {
   *count = 0;
-  for (int v = 0; v < net->mesh.vertex_count; v++) place[v] = -1;
+  for (int v = 0; v < net->mesh.vertex_count; v++) index[v] = -1;
+
   for (int l = 0; l < net->polyline_count; l++) {
     const lam_polyline *line = &net->polylines[l];
     if (line->family != family) continue;
     if (line->closed || (*count && line->count != *count)) return false;
     *count = line->count;
     for (int k = 0; k < line->count; k++) {
-      if (place[line->vertices[k]] >= 0) return false;
-      place[line->vertices[k]] = k;
+      if (index[line->vertices[k]] >= 0) return false;
+      index[line->vertices[k]] = k;
     }
   }
+
   for (int v = 0; v < net->mesh.vertex_count; v++)
-    if (place[v] < 0) return false;
+    if (index[v] < 0) return false;
   return true;
 }
 
-/* Whether every line of the other family stays at one place. */
-static bool is_crossed(const lam_net *net, int family, const int *place) {
+/* Whether every line of the other family keeps one index along the lines of this one. */
+static bool is_crossed_in_order(const lam_net *net, int family, const int *index) {
   for (int l = 0; l < net->polyline_count; l++) {
     const lam_polyline *line = &net->polylines[l];
     for (int k = 1; line->family == 1 - family && k < line->count; k++)
-      if (place[line->vertices[k]] != place[line->vertices[0]]) return false;
+      if (index[line->vertices[k]] != index[line->vertices[0]]) return false;
   }
   return true;
 }
 
-/* Mean length of the first and the last line of a family. */
+/* Mean length of the first and the last line of a family, those with the index 0 and `last` along
+ * the other one. */
 static double side_length(const lam_measuring *in, int family, const int *across, int last) {
   double sum = 0;
   for (int l = 0; l < in->net->polyline_count; l++) {
@@ -79,27 +86,34 @@ static double side_length(const lam_measuring *in, int family, const int *across
   return sum;
 }
 
+/* The vertices on a rectangle of even cells with the mean lengths of the net's opposite sides, in
+ * in->arena; NULL: the net is no grid. */
 static const lam_vec2 *evenly_spaced(const lam_measuring *in) {
   const lam_net *net = in->net;
-  int *place[2], count[2];
+  int *index[2], count[2];
   for (int d = 0; d < 2; d++) {
-    place[d] = LAM_NEW(in->arena, int, net->mesh.vertex_count);
-    if (!places_along(net, d, place[d], &count[d]) || !is_crossed(net, d, place[d])) return NULL;
+    index[d] = LAM_NEW(in->arena, int, net->mesh.vertex_count);
+    if (!indices_along(net, d, index[d], &count[d]) || !is_crossed_in_order(net, d, index[d]))
+      return NULL;
   }
   if (count[0] * count[1] != net->mesh.vertex_count) return NULL;
+
   double cell[2];
   for (int d = 0; d < 2; d++)
-    cell[d] = side_length(in, d, place[1 - d], count[1 - d] - 1) / (count[d] - 1);
+    cell[d] = side_length(in, d, index[1 - d], count[1 - d] - 1) / (count[d] - 1);
   lam_vec2 *layout = LAM_NEW(in->arena, lam_vec2, net->mesh.vertex_count);
   for (int v = 0; v < net->mesh.vertex_count; v++)
-    layout[v] = (lam_vec2){cell[0] * place[0][v], cell[1] * place[1][v]};
+    layout[v] = (lam_vec2){cell[0] * index[0][v], cell[1] * index[1][v]};
   return layout;
 }
 
 /* ---- singular values ---- */
 
+/* A picture of the net: vertex_count points, or NULL. */
 typedef const lam_vec2 *layout_of(const lam_measuring *in);
 
+/* The singular values of the map from the flat face f to the face, in its middle: p and q are the
+ * medians of the flat face along and across, a and b those of the face. */
 static lam_vec2 stretch_of(const lam_measuring *in, const lam_vec2 *flat, int f) {
   const int *c = in->net->mesh.faces[f];
   lam_vec2 p = {0}, q = {0};
@@ -114,6 +128,7 @@ static lam_vec2 stretch_of(const lam_measuring *in, const lam_vec2 *flat, int f)
   return lam_flat_stretch(p, q, a, b);
 }
 
+/* One figure of the singular values for every face; undefined when there is no picture. */
 static void stretches(const lam_measuring *in, layout_of *layout, double (*of)(lam_vec2 stretch),
                       double *values) {
   const lam_vec2 *flat = layout(in);
@@ -130,7 +145,7 @@ static double smaller(lam_vec2 s) { return s.y; }
   " of the map from a rectangle of even cells, with the mean lengths of opposite sides, to the "   \
   "net, on a face"
 
-/* name, plane picture, figure, words: the rows of the list. */
+/* The rows of the list: name, picture in the plane, figure of the singular values, words. */
 #define ROW(row, of_plane, figure, words)                                                          \
   static void row(const lam_measuring *in, double *values) {                                       \
     stretches(in, of_plane, figure, values);                                                       \
@@ -144,32 +159,34 @@ ROW(parameter_distortion, evenly_spaced, ratio, "ratio of the singular values" F
 ROW(parameter_stretch, evenly_spaced, larger, "larger singular value" FROM_RECTANGLE)
 ROW(parameter_compression, evenly_spaced, smaller, "smaller singular value" FROM_RECTANGLE)
 
+/* What layout.h tells of the measures. Measures with one word in scale share their colors. */
 static const struct {
   const lam_measure_kind *kind;
   layout_of *layout;
   const char *scale;
-} planes[] = {{&lam_measure_flattening_distortion, flattened, "distortion"},
-              {&lam_measure_flattening_stretch, flattened, "stretch"},
-              {&lam_measure_flattening_compression, flattened, "stretch"},
-              {&lam_measure_parameter_distortion, evenly_spaced, "distortion"},
-              {&lam_measure_parameter_stretch, evenly_spaced, "stretch"},
-              {&lam_measure_parameter_compression, evenly_spaced, "stretch"}};
-enum { plane_count = sizeof planes / sizeof *planes };
+} pictures[] = {{&lam_measure_flattening_distortion, flattened, "distortion"},
+                {&lam_measure_flattening_stretch, flattened, "stretch"},
+                {&lam_measure_flattening_compression, flattened, "stretch"},
+                {&lam_measure_parameter_distortion, evenly_spaced, "distortion"},
+                {&lam_measure_parameter_stretch, evenly_spaced, "stretch"},
+                {&lam_measure_parameter_compression, evenly_spaced, "stretch"}};
+enum { picture_count = sizeof pictures / sizeof *pictures };
 
+/* Three look-ups of the table: measures that are not in it have no picture. */
 const lam_vec2 *lam_measure_layout(const lam_measure_kind *kind, const lam_measuring *in) {
-  for (int i = 0; i < plane_count; i++)
-    if (planes[i].kind == kind) return planes[i].layout(in);
+  for (int i = 0; i < picture_count; i++)
+    if (pictures[i].kind == kind) return pictures[i].layout(in);
   return NULL;
 }
 
 bool lam_measure_is_slow(const lam_measure_kind *kind) {
-  for (int i = 0; i < plane_count; i++)
-    if (planes[i].kind == kind) return planes[i].layout == flattened;
+  for (int i = 0; i < picture_count; i++)
+    if (pictures[i].kind == kind) return pictures[i].layout == flattened;
   return false;
 }
 
 const char *lam_measure_scale(const lam_measure_kind *kind) {
-  for (int i = 0; i < plane_count; i++)
-    if (planes[i].kind == kind) return planes[i].scale;
+  for (int i = 0; i < picture_count; i++)
+    if (pictures[i].kind == kind) return pictures[i].scale;
   return NULL;
 }

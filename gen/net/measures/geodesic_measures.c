@@ -1,10 +1,11 @@
+/* How far the polylines are from geodesics, by the angles of vertex stars, by rolling strips out
+ * flat and by Clairaut's relation. Rows of the list in net/measures/measure.c, which calls them. */
 #include "core/numbers.h"
-#include "net/measures/measure.h"
+#include "net/measures/measuring.h"
 
 #include <math.h>
 
-/* Angles of vertex stars: how far the polylines are from geodesics, and the families from right
- * angles. */
+/* ---- angles of stars ---- */
 
 /* The four angles of a star in degrees, from one edge to the next. */
 static void angles_of(const lam_measuring *in, const lam_star *star, double angle[4]) {
@@ -14,6 +15,7 @@ static void angles_of(const lam_measuring *in, const lam_star *star, double angl
   for (int k = 0; k < 4; k++) angle[k] = lam_angle(E[k], E[(k + 1) & 3]) * LAM_DEGREES_PER_RADIAN;
 }
 
+/* The larger difference of the two pairs of opposite angles, degrees. */
 static void opposite_angles(const lam_measuring *in, double *values) {
   for (int s = 0; s < in->net->star_count; s++) {
     double a[4];
@@ -22,6 +24,7 @@ static void opposite_angles(const lam_measuring *in, double *values) {
   }
 }
 
+/* Largest less smallest of the four angles, degrees. */
 static void angle_spread(const lam_measuring *in, double *values) {
   for (int s = 0; s < in->net->star_count; s++) {
     double a[4];
@@ -47,23 +50,24 @@ static void geodesic_error_v(const lam_measuring *in, double *values) {
   geodesic_error(in, 1, values);
 }
 
+/* |crossing angle - 90 degrees|. */
 static void orthogonality(const lam_measuring *in, double *values) {
   for (int s = 0; s < in->net->star_count; s++) {
     const lam_star *star = &in->net->stars[s];
-    lam_vec3 e[4];
-    for (int k = 0; k < 4; k++)
-      e[k] = lam_unit(lam_sub(in->positions[star->neighbor[k]], in->positions[star->center]));
-    values[star->center] =
-        fabs(lam_angle(lam_sub(e[0], e[2]), lam_sub(e[1], e[3])) * LAM_DEGREES_PER_RADIAN - 90);
+    values[star->center] = fabs(lam_star_crossing_angle(in, star) * LAM_DEGREES_PER_RADIAN - 90);
   }
 }
 
-/* Turning angle of a polyline at its k-th vertex when the strips beside it are rolled out flat:
- * half the difference of the angles to its left and right; 0 where the vertex is no regular star.
- */
+/* ---- lines rolled out ---- */
+
+/* Turning angle of a polyline at its k-th vertex when the strips beside it are rolled out
+ * flat, radians: half the difference of the angles to its left and right; 0 where the vertex
+ * is no regular star. */
 static double flat_turn(const lam_measuring *in, const lam_polyline *line, int k) {
   int n = line->count, s = in->net->star_of_vertex[line->vertices[k]];
   if (s < 0) return 0;
+
+  /* d: the edge of the star along which the line leaves */
   const lam_star *star = &in->net->stars[s];
   int before = line->vertices[(k + n - 1) % n], after = line->vertices[(k + 1) % n];
   for (int d = 0; d < 4; d++) {
@@ -75,7 +79,8 @@ static double flat_turn(const lam_measuring *in, const lam_polyline *line, int k
   return 0;
 }
 
-/* Distance of the vertices of a rolled-out polyline from its chord, over its length. */
+/* Distance of the vertices of a rolled-out polyline from its chord, over its length. A vertex on
+ * several lines keeps the largest. */
 static void line_straightness(const lam_measuring *in, const lam_polyline *line, double *values) {
   int n = line->count;
   lam_vec2 *p = LAM_NEW(in->arena, lam_vec2, n);
@@ -86,6 +91,7 @@ static void line_straightness(const lam_measuring *in, const lam_polyline *line,
     p[k] = (lam_vec2){p[k - 1].x + l * cos(direction), p[k - 1].y + l * sin(direction)};
     length += l;
   }
+
   double cx = p[n - 1].x, cy = p[n - 1].y, chord = hypot(cx, cy);
   for (int k = 0; k < n; k++) {
     double off = chord > 0 ? fabs(p[k].x * cy - p[k].y * cx) / chord / length : NAN,
@@ -94,6 +100,7 @@ static void line_straightness(const lam_measuring *in, const lam_polyline *line,
   }
 }
 
+/* Open lines of a family with at least one inner vertex; lines of the boundary are left out. */
 static void straightness(const lam_measuring *in, int family, double *values) {
   for (int l = 0; l < in->net->polyline_count; l++) {
     const lam_polyline *line = &in->net->polylines[l];
@@ -106,11 +113,10 @@ static void straightness(const lam_measuring *in, int family, double *values) {
 static void straightness_u(const lam_measuring *in, double *values) { straightness(in, 0, values); }
 static void straightness_v(const lam_measuring *in, double *values) { straightness(in, 1, values); }
 
-/* ---- Clairaut's relation: on a surface of revolution r cos(alpha) is constant along a geodesic
- * ---- */
+/* ---- Clairaut's relation ---- */
 
-/* r cos(alpha) at the k-th vertex; alpha is the angle of the line's tangent with the parallel
- * circle. */
+/* |r cos(alpha)| at the k-th vertex, meters: r is the distance from the axis of revolution, alpha
+ * the angle of the line's tangent with the parallel circle. It is constant along a geodesic. */
 static double clairaut_constant(const lam_measuring *in, const lam_polyline *line, int k) {
   int n = line->count;
   const double *a = in->axis;
@@ -121,12 +127,15 @@ static double clairaut_constant(const lam_measuring *in, const lam_polyline *lin
   return fabs(lam_dot(around, lam_unit(lam_sub(after, before))));
 }
 
+/* Spread of Clairaut's constant over the inner vertices of each line, which all get it. Undefined
+ * without an axis. */
 static void clairaut(const lam_measuring *in, int family, double *values) {
   for (int l = 0; in->axis && l < in->net->polyline_count; l++) {
     const lam_polyline *line = &in->net->polylines[l];
     int first = line->closed ? 0 : 1, last = line->closed ? line->count : line->count - 1;
     if (line->family != family || first >= last || in->net->boundary[line->vertices[first]])
       continue;
+
     double low = INFINITY, high = -INFINITY;
     for (int k = first; k < last; k++) {
       double c = clairaut_constant(in, line, k);

@@ -1,3 +1,6 @@
+/* The list of all measures, and how they are run and summed up. Called by
+ * net/optimize_measures.c, degenerate.c, measure_map.c, cli/verb_measure.c,
+ * fab/parts/gauss_image.c and bench. */
 #include "core/numbers.h"
 #include "net/measures/layout.h"
 
@@ -5,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The list of measures. To add one: write it into a file measure_*.c, and add its line here. */
+/* The list of measures. To add one: write it into a file *_measures.c, and add its line here. */
 /* clang-format off */
 #define MEASURES(row) \
   row(star_planarity) \
@@ -77,6 +80,7 @@ const lam_measure_kind *lam_measure_find(const char *name) {
   return NULL;
 }
 
+/* The number of elements that the measure has values on. */
 int lam_measure_size(const lam_measure_kind *kind, const lam_net *net) {
   switch (kind->on) {
   case LAM_ON_VERTICES:
@@ -91,6 +95,7 @@ int lam_measure_size(const lam_measure_kind *kind, const lam_net *net) {
   return 1;
 }
 
+/* Elements that run leaves out stay undefined. */
 double *lam_measure_values(const lam_measure_kind *kind, const lam_measuring *in) {
   int count = lam_measure_size(kind, in->net);
   double *values = LAM_NEW(in->arena, double, count);
@@ -99,21 +104,25 @@ double *lam_measure_values(const lam_measure_kind *kind, const lam_measuring *in
   return values;
 }
 
+/* Over the defined values; NaN where there is none. */
 lam_measure lam_measure_summary(const lam_measure_kind *kind, const double *values, int count) {
   lam_measure out = {.name = kind->name, .unit = kind->unit, .min = NAN, .max = NAN, .mean = NAN};
   double sum = 0;
   for (int i = 0; i < count; i++) {
     if (values[i] == LAM_UNDEFINED) continue;
-    /* a value that is not a number stays the smallest and the largest */
+
+    /* A value that is not a number stays the smallest and the largest. */
     if (out.count == 0 || (!(values[i] >= out.min) && !isnan(out.min))) out.min = values[i];
     if (out.count == 0 || (!(values[i] <= out.max) && !isnan(out.max))) out.max = values[i];
     sum += values[i];
     out.count++;
   }
+
   if (out.count) out.mean = sum / (double)out.count;
   return out;
 }
 
+/* The defaults of what measures need. */
 lam_measuring lam_measuring_of(lam_arena *arena, const lam_net *net, const lam_vec3 *positions) {
   return (lam_measuring){.arena = arena,
                          .net = net,
@@ -122,6 +131,7 @@ lam_measuring lam_measuring_of(lam_arena *arena, const lam_net *net, const lam_v
                          .target_angle = LAM_PI / 2};
 }
 
+/* The summary of one measure; its scratch and values are released. */
 static lam_measure run_one(const lam_measure_kind *kind, const lam_measuring *in) {
   lam_arena_mark mark = lam_arena_mark_get(in->arena);
   lam_measure out =
@@ -130,10 +140,12 @@ static lam_measure run_one(const lam_measure_kind *kind, const lam_measuring *in
   return out;
 }
 
+/* The list is gone through twice, with names or without: to count, and to run. */
 lam_measure *lam_net_measure(const lam_measuring *in, const char *const *names, int *count) {
   *count = 0;
   for (int i = 0; names ? names[i] != NULL : i < lam_measure_count; i++) ++*count;
   lam_measure *out = LAM_NEW(in->arena, lam_measure, *count);
+
   *count = 0;
   for (int i = 0; names ? names[i] != NULL : i < lam_measure_count; i++) {
     const lam_measure_kind *kind = names ? lam_measure_find(names[i]) : lam_measures[i];
@@ -143,6 +155,7 @@ lam_measure *lam_net_measure(const lam_measuring *in, const char *const *names, 
   return out;
 }
 
+/* One measure by its name, with the defaults. */
 lam_measure lam_net_measure_one(lam_arena *arena, const lam_net *net, const lam_vec3 *positions,
                                 const char *name) {
   lam_measuring in = lam_measuring_of(arena, net, positions);

@@ -1,16 +1,20 @@
+/* Planarity of vertex stars and of faces. Rows of the list in net/measures/measure.c,
+ * which calls them. */
 #include "core/numeric/fit.h"
 #include "net/measures/measure.h"
 
 #include <math.h>
 
-/* Largest distance to the plane of best fit, relative to the mean edge around. */
 enum { most_points = 64 };
 
+/* Largest distance of a star's points to their plane of best fit, over the mean edge around;
+ * inner vertices of any valence below most_points. */
 static void star_planarity(const lam_measuring *in, double *values) {
   const lam_net *net = in->net;
   for (int v = 0; v < net->mesh.vertex_count; v++) {
     int valence = net->ring_start[v + 1] - net->ring_start[v];
     if (net->boundary[v] || valence >= most_points) continue;
+
     lam_vec3 points[most_points], center;
     double spread[3], edge = 0, worst = 0;
     points[0] = in->positions[v];
@@ -18,6 +22,7 @@ static void star_planarity(const lam_measuring *in, double *values) {
       points[k + 1] = in->positions[net->ring[net->ring_start[v] + k]];
       edge += lam_distance(points[0], points[k + 1]) / valence;
     }
+
     lam_vec3 normal = lam_fit_plane(points, valence + 1, &center, spread);
     for (int k = 0; k <= valence; k++)
       worst = fmax(worst, fabs(lam_dot(normal, lam_sub(points[k], center))));
@@ -25,6 +30,7 @@ static void star_planarity(const lam_measuring *in, double *values) {
   }
 }
 
+/* Distance of the lines through the diagonals, over their mean length. */
 static void face_planarity(const lam_measuring *in, double *values) {
   const lam_mesh *mesh = &in->net->mesh;
   for (int f = 0; f < mesh->face_count; f++) {

@@ -1,8 +1,10 @@
+/* Distance between a net and the mesh that it is to stay near. Rows of the list in
+ * net/measures/measure.c, which calls them. */
 #include "net/measures/measure.h"
 
 #include <math.h>
 
-/* Distance of every vertex to the nearest point of the reference. */
+/* Distance of every vertex to the nearest point of the reference; undefined without one. */
 static void distance_to_reference(const lam_measuring *in, double *values) {
   for (int v = 0; in->reference && v < in->net->mesh.vertex_count; v++) {
     lam_vec3 closest;
@@ -12,11 +14,14 @@ static void distance_to_reference(const lam_measuring *in, double *values) {
   }
 }
 
+/* The net as triangles in in->arena, each face split along the diagonal from corner 0
+ * to corner 2. */
 static lam_trimesh split_faces(const lam_measuring *in) {
   const lam_mesh *mesh = &in->net->mesh;
   lam_trimesh out = {
       mesh->vertex_count, LAM_NEW(in->arena, lam_vec3, mesh->vertex_count), 2 * mesh->face_count,
       (int(*)[3])lam_arena_alloc(in->arena, 2 * (size_t)mesh->face_count, sizeof *out.triangles)};
+
   for (int v = 0; v < mesh->vertex_count; v++) out.vertices[v] = in->positions[v];
   for (int f = 0; f < mesh->face_count; f++)
     for (int k = 0; k < 3; k++) {

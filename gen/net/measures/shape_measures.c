@@ -1,8 +1,11 @@
+/* Folds and flatness of a whole net. Rows of the list in net/measures/measure.c, which calls
+ * them; degenerate.c judges by them. */
 #include "core/numeric/fit.h"
 #include "net/measures/measure.h"
 
 #include <math.h>
 
+/* Unit normal of face f, from its diagonals. */
 static lam_vec3 face_normal(const lam_measuring *in, int f) {
   const int *c = in->net->mesh.faces[f];
   return lam_unit(lam_cross(lam_sub(in->positions[c[2]], in->positions[c[0]]),
@@ -26,9 +29,9 @@ static bool in_a_star(const lam_net *net, int v) {
   return is;
 }
 
-/* Thickness of the net over its length: standard deviation across and along the plane of best fit.
- * Corners of an open net, which belong to no star, do not count when a net has stars: constraints
- * on stars leave them where they were. */
+/* Thickness of the net over its length: standard deviation across and along the plane of best
+ * fit. Corners of an open net, which belong to no star, do not count when a net has stars:
+ * constraints on stars leave them where they were. */
 static void flatness(const lam_measuring *in, double *values) {
   const lam_net *net = in->net;
   bool has_stars = net->star_count + net->irregular_count > 0;
@@ -36,6 +39,7 @@ static void flatness(const lam_measuring *in, double *values) {
   int count = 0;
   for (int v = 0; v < net->mesh.vertex_count; v++)
     if (!has_stars || in_a_star(net, v)) points[count++] = in->positions[v];
+
   double spread[3];
   lam_fit_plane(points, count, &center, spread);
   values[0] = spread[2] > 0 ? spread[0] / spread[2] : 0;

@@ -1,13 +1,30 @@
+/* Lengths of edges in strips and along lines, and how edges and angles changed against the start.
+ * Rows of the list in net/measures/measure.c, which calls them. */
 #include "net/measures/measure.h"
 
 #include <math.h>
 
-/* Lengths of edges in strips, and how they changed against the start. */
-
+/* Length of the edge between vertices v[0] and v[1] at positions x. */
 static double length_of(const lam_vec3 *x, const int *v) { return lam_distance(x[v[0]], x[v[1]]); }
 
-/* The edge opposite to edge e in face f; edge_at lists the four edges of every face. */
-static int across(int (*edge_at)[4], const lam_net *net, int f, int e) {
+/* ---- ladders: rows of opposite edges through neighboring faces ---- */
+
+typedef int face_edges[4];
+
+/* The four edges of every face, in no order. */
+static face_edges *edges_of_faces(lam_arena *arena, const lam_net *net) {
+  face_edges *edge_at = LAM_NEW(arena, face_edges, net->mesh.face_count);
+  int *fill = LAM_NEW(arena, int, net->mesh.face_count);
+  for (int e = 0; e < net->edge_count; e++)
+    for (int side = 0; side < 2; side++) {
+      int f = net->edges[e].face[side];
+      if (f >= 0) edge_at[f][fill[f]++] = e;
+    }
+  return edge_at;
+}
+
+/* The edge opposite to edge e in face f: the one that shares no vertex with it; -1 outside. */
+static int across(face_edges *edge_at, const lam_net *net, int f, int e) {
   for (int k = 0; f >= 0 && k < 4; k++) {
     int other = edge_at[f][k];
     const int *a = net->edges[e].vertex, *b = net->edges[other].vertex;
@@ -16,31 +33,32 @@ static int across(int (*edge_at)[4], const lam_net *net, int f, int e) {
   return -1;
 }
 
-/* A ladder is a row of opposite edges through neighboring faces. All its edges get (longest -
- * shortest) / mean. */
+/* Collects the ladder of edge `first`, from it to both sides, into rung and marks its edges as
+ * done; returns their number. */
+static int collect_ladder(const lam_net *net, face_edges *edge_at, int first, bool *done,
+                          int *rung) {
+  int count = 0;
+  for (int side = 0; side < 2; side++)
+    for (int e = first, f = net->edges[first].face[side]; e >= 0;) {
+      if (!done[e]) rung[count++] = e;
+      done[e] = true;
+      e = across(edge_at, net, f, e);
+      if (e < 0 || done[e]) break;
+      f = net->edges[e].face[0] == f ? net->edges[e].face[1] : net->edges[e].face[0];
+    }
+  return count;
+}
+
+/* All edges of a ladder of the family get (longest - shortest) / mean. */
 static void ladder_variation(const lam_measuring *in, int family, double *values) {
   const lam_net *net = in->net;
-  int(*edge_at)[4] =
-      (int(*)[4])lam_arena_alloc(in->arena, (size_t)net->mesh.face_count, sizeof *edge_at);
-  int *fill = LAM_NEW(in->arena, int, net->mesh.face_count),
-      *rung = LAM_NEW(in->arena, int, net->edge_count);
+  face_edges *edge_at = edges_of_faces(in->arena, net);
+  int *rung = LAM_NEW(in->arena, int, net->edge_count);
   bool *done = LAM_NEW(in->arena, bool, net->edge_count);
-  for (int e = 0; e < net->edge_count; e++)
-    for (int side = 0; side < 2; side++) {
-      int f = net->edges[e].face[side];
-      if (f >= 0) edge_at[f][fill[f]++] = e;
-    }
+
   for (int first = 0; first < net->edge_count; first++) {
     if (done[first] || net->edges[first].family != family) continue;
-    int count = 0;
-    for (int side = 0; side < 2; side++)
-      for (int e = first, f = net->edges[first].face[side]; e >= 0;) {
-        if (!done[e]) rung[count++] = e;
-        done[e] = true;
-        e = across(edge_at, net, f, e);
-        if (e < 0 || done[e]) break;
-        f = net->edges[e].face[0] == f ? net->edges[e].face[1] : net->edges[e].face[0];
-      }
+    int count = collect_ladder(net, edge_at, first, done, rung);
     double low = INFINITY, high = 0, sum = 0;
     for (int i = 0; i < count; i++) {
       double length = length_of(in->positions, net->edges[rung[i]].vertex);
@@ -58,12 +76,15 @@ static void edge_variation_v(const lam_measuring *in, double *values) {
   ladder_variation(in, 1, values);
 }
 
-/* Edges along a line: all its edges get (longest - shortest) / mean. */
+/* ---- lines ---- */
+
+/* All vertices of a line of the family get (longest - shortest) / mean of its edges. */
 static void line_variation(const lam_measuring *in, int family, double *values) {
   for (int l = 0; l < in->net->polyline_count; l++) {
     const lam_polyline *line = &in->net->polylines[l];
     int n = line->count, edges = line->closed ? n : n - 1;
     if (line->family != family) continue;
+
     double low = INFINITY, high = 0, sum = 0;
     for (int k = 0; k < edges; k++) {
       double length = lam_distance(in->positions[line->vertices[k]],
@@ -78,6 +99,9 @@ static void line_variation(const lam_measuring *in, int family, double *values) 
 static void spacing_u(const lam_measuring *in, double *values) { line_variation(in, 0, values); }
 static void spacing_v(const lam_measuring *in, double *values) { line_variation(in, 1, values); }
 
+/* ---- strains against in->start; undefined without it ---- */
+
+/* |length / length at the start - 1|. */
 static void edge_strain(const lam_measuring *in, double *values) {
   for (int e = 0; in->start && e < in->net->edge_count; e++) {
     const int *v = in->net->edges[e].vertex;
@@ -85,8 +109,8 @@ static void edge_strain(const lam_measuring *in, double *values) {
   }
 }
 
-/* A quarter of a23 + a41 - a12 - a34: the angle by which the crossing of the families is off 90
- * degrees. */
+/* A quarter of a23 + a41 - a12 - a34: the angle by which the crossing of the families is off
+ * 90 degrees, radians. */
 static double crossing(const lam_vec3 *x, const lam_star *star) {
   lam_vec3 E[4];
   for (int k = 0; k < 4; k++) E[k] = lam_sub(x[star->neighbor[k]], x[star->center]);
@@ -95,6 +119,7 @@ static double crossing(const lam_vec3 *x, const lam_star *star) {
          4;
 }
 
+/* Half the change of the crossing angle, radians. */
 static void shear_strain(const lam_measuring *in, double *values) {
   for (int s = 0; in->start && s < in->net->star_count; s++) {
     const lam_star *star = &in->net->stars[s];

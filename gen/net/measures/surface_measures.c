@@ -1,6 +1,8 @@
-/* Of the smooth surface that a net lies on. */
+/* Measures of the smooth surface that a net lies on, rather than of the net. Rows of the list in
+ * net/measures/measure.c, which calls them. */
 #include "net/measures/measure.h"
 
+/* K of the surface at the vertices' parameters; a surface enlarged by the factor c has K / c^2. */
 static void gauss_curvature(const lam_measuring *in, double *values) {
   for (int v = 0; in->surface && v < in->net->mesh.vertex_count; v++) {
     lam_jet jet;
@@ -13,6 +15,5 @@ static void gauss_curvature(const lam_measuring *in, double *values) {
 const lam_measure_kind lam_measure_surface_gauss_curvature = {
     "surface_gauss_curvature", "1/m2",
     "Gauss curvature of the smooth surface at the vertices, edges included, where they still lie "
-    "on their parameter "
-    "lines",
+    "on their parameter lines",
     LAM_ON_VERTICES, gauss_curvature};

@@ -1,6 +1,7 @@
 /* Lines traced on any smooth surface: parameter, principal, asymptotic and diagonal lines and
  * geodesics, integrated from the surface's jets; and the initial nets that they make where a
- * surface has no chart in closed form. */
+ * surface has no chart in closed form. Used by net/trace/start.c, and by design/net_stage.c
+ * for the options. */
 #ifndef LAM_NET_TRACE_TRACE_H
 #define LAM_NET_TRACE_TRACE_H
 
@@ -10,11 +11,16 @@
 
 /* ---- one line ---- */
 
-/* What a line follows. NATURAL, PRINCIPAL, ASYMPTOTIC and DIAGONAL are fields of directions, two at
- * every point: branch 0 and 1 are x_u and x_v; the directions of k1 and of k2; those of normal
- * curvature 0; those of normal curvature H. Along a line the branch and the sense of travel do not
- * change. GEODESIC_PARALLEL and GEODESIC_POLAR are geodesics; beside them runs the width j of a
- * strip of geodesics, j'' + K j = 0. */
+/* What a line follows, by its chart:
+ *   NATURAL             branch 0 and 1 are x_u and x_v
+ *   PRINCIPAL           the directions of k1 and of k2
+ *   ASYMPTOTIC          the two of normal curvature 0
+ *   DIAGONAL            the two of normal curvature H
+ *   GEODESIC_PARALLEL   geodesics; beside them runs the width j of a strip of geodesics,
+ *   GEODESIC_POLAR      j'' + K j = 0
+ *
+ * The first four are fields of directions, two at every point. Along a line the branch and the
+ * sense of travel do not change. */
 typedef struct lam_line_field {
   const lam_surface *surface;
   lam_chart chart;
@@ -44,21 +50,22 @@ typedef struct lam_line {
   lam_line_end end[2];    /* why it ends at the first and at the last point */
 } lam_line;
 
-/* The field of a chart over the surface's natural domain, cut down to the ranges that placing
- * gives. A direction that closes is cut open half a period from `at`. */
+/* The field of a chart (branch 0) over the surface's natural domain, cut down to the ranges that
+ * placing gives. A direction that closes is cut open half a period from `at`. */
 lam_line_field lam_line_field_make(const lam_surface *surface, lam_chart chart,
                                    const lam_placement_keys *placing, const double at[2]);
-/* The two unit directions (du, dv) of a field at (u, v); false where there are none. Geodesics: x_u
- * and its normal. */
+/* The two unit directions (du, dv) of a field at (u, v); false where there are none. Geodesics:
+ * x_u and its normal. */
 bool lam_line_directions(const lam_line_field *field, double u, double v, lam_vec2 d[2]);
 /* The line through (u, v) towards d (of any length, not 0), up to `back` behind the point and
- * `forward` before it. j: start of the strip's width and its derivative (geodesics; NULL: 1 and 0).
- * field is kept by pointer. The error per step is below 1e-11 of the surface's size. */
+ * `forward` before it. j: start of the strip's width and its derivative (geodesics; NULL: 1 and
+ * 0). field is kept by pointer. The error per step is below 1e-11 of the surface's size. */
 lam_line lam_line_trace(lam_arena *arena, const lam_line_field *field, double u, double v,
                         lam_vec2 d, double back, double forward, const double j[2]);
-/* The point of a line at arc length s, integrated from the nearest one before it. s is clamped to
- * the line. */
+/* The point of a line at arc length s, integrated from the nearest one before it. s is clamped
+ * to the line. */
 lam_line_point lam_line_at(const lam_line *line, double s);
+/* Arc lengths of the first point (<= 0) and of the last one (>= 0). */
 double lam_line_first(const lam_line *line);
 double lam_line_last(const lam_line *line);
 
@@ -72,13 +79,16 @@ typedef struct lam_trace_options {
 } lam_trace_options;
 
 /* A net of traced lines: a base line of each family runs through `at`, the lines of the other
- * family through points at equal distances on it, and vertices are where lines of the two families
- * cross. It is the largest rectangle of such lines that all cross: with spacing 0 it has grid[0] x
- * grid[1] cells, else at most so many around `at`. GEODESIC_PARALLEL: family 0 are geodesics at
- * right angles to a parameter line, family 1 joins points at equal distance from it.
- * GEODESIC_POLAR: family 0 are geodesics from the pole, family 1 the circles around it; max(1,
- * hole) rings are left out around the pole. Families run as x_u and x_v do. A net whose first and
- * last lines are the same is closed there. False, with errors, where there are no such lines. */
+ * family through points at equal distances on it, and vertices are where lines of the two
+ * families cross. It is the largest rectangle of such lines that all cross: with spacing 0 it has
+ * grid[0] x grid[1] cells, else at most so many around `at`. Families run as x_u and x_v do.
+ *   GEODESIC_PARALLEL   family 0 are geodesics at right angles to a parameter line, family 1 joins
+ *                       points at equal distance from it
+ *   GEODESIC_POLAR      family 0 are geodesics from the pole, family 1 the circles around it;
+ *                       max(1, hole) rings are left out around the pole
+ *
+ * A net whose first and last lines are the same is closed there. The mesh lies on the surface
+ * before it is placed; owned by arena. False, with errors, where there are no such lines. */
 bool lam_trace_net(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2],
                    int hole, const lam_trace_options *options, const lam_placement_keys *placing,
                    lam_location location, lam_errors *errors, lam_mesh *mesh);

@@ -1,22 +1,26 @@
 /* The steps of Wu & Wang, Designing approximate minimal NURBS surfaces with boundaries
- * interpolation (2010), each of use by itself. Misprints are corrected. A surface of polynomial
- * Bezier patches is a spline surface of one degree in both directions whose inner knots are
- * repeated `degree` times: neighbors share their border points. */
+ * interpolation (2010), each of use by itself; for the method `paper` of least_area.c and for
+ * the tests. Misprints are corrected. A surface of polynomial Bezier patches is a spline surface
+ * of one degree in both directions whose inner knots are repeated `degree` times: neighbors
+ * share their border points. Results are owned by the arena. */
 #ifndef LAM_SURF_AREA_AREA_PAPER_H
 #define LAM_SURF_AREA_AREA_PAPER_H
 
 #include "surf/area/least_area.h"
 
 /* ---- step 2: polynomials for rational curves ---- */
-/* Hybrid approximation: the Bezier curve of degree r + p that meets the rational Bezier curve of
- * `degree` with r - 1 derivatives at the start and p - 1 at the end; its moving point r is replaced
- * by the mean of the points it stays among, weighted with binomial * weight. result: r + p + 1
- * points. r, p > 0, r + p >= degree (algorithm 1). */
+/* Hybrid approximation (algorithm 1): the Bezier curve of degree r + p that meets the rational
+ * Bezier curve of `degree` with r - 1 derivatives at the start and p - 1 at the end; its moving
+ * point r is replaced by the mean of the points it stays among, weighted with binomial * weight.
+ *
+ * points, weights  degree + 1; weights are positive
+ * r, p             > 0, r + p >= degree
+ * result           r + p + 1 points */
 void lam_hybrid_approximate(int degree, const lam_vec3 *points, const double *weights, int r, int p,
                             lam_vec3 *result);
 /* The factor by which the error shrinks when r = p grows by one: max over the zeros z of the
  * denominator of 1 / (4 |z (1 - z)|). 1 or more: the approximation diverges; subdivide the curve. 0
- * for equal weights. */
+ * for equal weights. weights: degree + 1, positive; degree at most LAM_LEAST_AREA_MAX_DEGREE. */
 double lam_hybrid_ratio(int degree, const double *weights);
 /* Bezier patches of bidegree r + p whose outer borders approximate those of the surface; spans on
  * whose borders the approximation would diverge are halved before. Points inside of the outer
@@ -80,8 +84,8 @@ typedef struct lam_paper_result {
   lam_spline_surface separable; /* the knots of the boundary, exact boundary, separable weights */
   lam_spline_surface nurbs;     /* the knots of the boundary, exact boundary, weights 1 inside */
 } lam_paper_result;
-/* Steps 1 to 6 from Dirichlet energy; r, p: of the Hybrid approximation; tolerance, most: of the
- * iteration. */
+/* Steps 1 to 6 from Dirichlet energy; r, p: of the Hybrid approximation; tolerance (m), most: of
+ * the iteration. boundary: inner points are not used. */
 lam_paper_result lam_least_area_paper(lam_arena *arena, const lam_spline_surface *boundary, int r,
                                       int p, double tolerance, int most);
 /* Step 6 with the inner weights sought too, between low and high: by equal parameters, then nearest

@@ -1,4 +1,6 @@
-/* Surfaces of least area, or of constant mean curvature, on four sides. */
+/* The kind of surface `least-area`: its keys, the boundary from four curves or a net, the
+ * solution by Newton's method or by that of the paper, and the report. Listed in
+ * surf/kinds/surfaces.c; the mathematics is in the other files of this folder. */
 #include "surf/area/least_area.h"
 #include "core/stage.h"
 #include "curve/bspline/basis.h"
@@ -17,6 +19,7 @@ typedef struct least_area_keys {
   double mean_curvature, tolerance;
 } least_area_keys;
 
+/* A finished surface. */
 typedef struct least_area {
   const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   lam_least_area_result result;
@@ -28,13 +31,16 @@ static const char *const inner_weights[] = {"fixed", "free", "separable", NULL};
 enum { WEIGHTS_FIXED, WEIGHTS_FREE, WEIGHTS_SEPARABLE };
 static const char *const methods[] = {"newton", "paper", NULL};
 enum { METHOD_NEWTON, METHOD_PAPER };
+/* Bounds of free weights. */
 static const double weight_low = 0.01, weight_high = 30;
-enum { PAPER_HALF = 3, PAPER_STEPS = 100 }; /* Bezier patches of degree 6 */
+enum { PAPER_HALF = 3, PAPER_STEPS = 100 }; /* Bezier patches of degree 3 + 3 */
 
+/* Whether the ends of the knots are repeated degree + 1 times. */
 static bool clamped(int degree, int count, const double *knots) {
   return knots[0] == knots[degree] && knots[count] == knots[count + degree];
 }
 
+/* Whether given knots are sound and clamped; otherwise a message at the key. None given is well. */
 static bool check_knots(int degree, int count, const lam_list *knots, const char *key,
                         lam_location location, lam_errors *errors) {
   if (knots->count == 0) return true;
@@ -47,6 +53,8 @@ static bool check_knots(int degree, int count, const lam_list *knots, const char
 }
 
 /* ---- four curves ---- */
+
+/* The boundary from four curves; false with a message. */
 static bool read_curves(lam_arena *arena, const least_area_keys *keys, lam_location location,
                         lam_errors *errors, lam_spline_surface *surface) {
   lam_sides sides;
@@ -56,12 +64,14 @@ static bool read_curves(lam_arena *arena, const least_area_keys *keys, lam_locat
   if (lam_spline_surface_between(arena, &sides, surface)) return true;
   lam_error_add(errors, location, "curves",
                 "the weights at the corners do not fit; expected curves whose end weights agree up "
-                "to one factor per "
-                "curve");
+                "to one factor per curve");
   return false;
 }
 
 /* ---- a net of control points ---- */
+
+/* Whether numbers of points and weights fit the counts (total: of the net, ring: of its
+ * boundary), and degrees and knots as well; otherwise false with a message. */
 static bool check_net(const least_area_keys *keys, int total, int ring, lam_location location,
                       lam_errors *errors) {
   static const char *const knots[] = {"knots_u", "knots_v"};
@@ -73,12 +83,14 @@ static bool check_net(const least_area_keys *keys, int total, int ring, lam_loca
                   points, 3 * total, keys->count[0], keys->count[1], 3 * ring, ring);
     return false;
   }
+
   if (weights != 0 && weights != points / 3) {
     lam_error_add(errors, location, "weights",
                   "%d weights given; expected %d: one per point, or none", weights, points / 3);
     return false;
   }
   if (!lam_weights_check(&keys->weights, "weights", location, errors)) return false;
+
   for (int d = 0; d < 2; d++) {
     if (keys->degree[d] >= keys->count[d]) {
       lam_error_add(errors, location, "degree", "degree %d; expected at most %d with %d points",
@@ -91,23 +103,33 @@ static bool check_net(const least_area_keys *keys, int total, int ring, lam_loca
   return true;
 }
 
-static bool read_net(lam_arena *arena, const least_area_keys *keys, lam_location location,
-                     lam_errors *errors, lam_spline_surface *surface) {
-  int m = keys->count[0], n = keys->count[1], total = m * n, ring = 2 * (m + n) - 4, given = 0;
-  if (!check_net(keys, total, ring, location, errors)) return false;
-  const lam_vec3 *from = lam_points_read(arena, &keys->points, keys->sides.unit);
+/* Sets points and weights (NULL: none) of the boundary to those given, which are of the boundary
+ * alone or of the whole net, row by row. Inner points stay at the origin, with weight 1. */
+static void fill_net(const least_area_keys *keys, const lam_vec3 *from, lam_vec3 *points,
+                     double *weights) {
   const double *from_weights = keys->weights.items;
-  lam_vec3 *points = LAM_NEW(arena, lam_vec3, total);
-  double *weights = keys->weights.count ? LAM_NEW(arena, double, total) : NULL;
-  for (int k = 0; k < total; k++) {
+  int m = keys->count[0], n = keys->count[1], given = 0;
+  for (int k = 0; k < m * n; k++) {
     bool inner = k / n > 0 && k / n < m - 1 && k % n > 0 && k % n < n - 1;
     if (weights) weights[k] = 1;
     if (!inner) {
       points[k] = from[given];
       if (weights) weights[k] = from_weights[given];
     }
-    given += !inner || keys->points.count == 3 * total;
+    given += !inner || keys->points.count == 3 * m * n;
   }
+}
+
+/* The boundary from a net of control points, of degree 3 at least; false with a message. */
+static bool read_net(lam_arena *arena, const least_area_keys *keys, lam_location location,
+                     lam_errors *errors, lam_spline_surface *surface) {
+  int m = keys->count[0], n = keys->count[1], total = m * n, ring = 2 * (m + n) - 4;
+  if (!check_net(keys, total, ring, location, errors)) return false;
+
+  const lam_vec3 *from = lam_points_read(arena, &keys->points, keys->sides.unit);
+  lam_vec3 *points = LAM_NEW(arena, lam_vec3, total);
+  double *weights = keys->weights.count ? LAM_NEW(arena, double, total) : NULL;
+  fill_net(keys, from, points, weights);
   *surface = (lam_spline_surface){.points = points, .weights = weights};
   for (int d = 0; d < 2; d++) {
     double *knots = LAM_NEW(arena, double, keys->count[d] + keys->degree[d] + 1);
@@ -116,6 +138,7 @@ static bool read_net(lam_arena *arena, const least_area_keys *keys, lam_location
     surface->count[d] = keys->count[d];
     surface->knots[d] = keys->knots[d].count ? keys->knots[d].items : knots;
   }
+
   int least[2] = {surface->degree[0] > 3 ? surface->degree[0] : 3,
                   surface->degree[1] > 3 ? surface->degree[1] : 3};
   *surface = lam_least_area_unit_weights(arena, surface);
@@ -123,23 +146,29 @@ static bool read_net(lam_arena *arena, const least_area_keys *keys, lam_location
   return true;
 }
 
+/* ---- solutions ---- */
+
+/* The least area that the spans allow. Free weights are found on the boundary's own knots,
+ * before others are inserted. */
 static lam_least_area_result by_newton(lam_arena *arena, const least_area_keys *keys,
                                        const lam_spline_surface *boundary) {
   lam_least_area_options options = lam_least_area_defaults();
   options.tolerance = keys->tolerance;
   options.mean_curvature = keys->mean_curvature;
+
   lam_spline_surface own = *boundary;
   if (keys->inner_weights == WEIGHTS_SEPARABLE)
     own = lam_least_area_separable_weights(arena, boundary);
   if (keys->inner_weights != WEIGHTS_FREE)
     return lam_least_area_solve(arena, &own, keys->spans, &options);
+
   lam_least_area_result result = lam_least_area_solve(arena, boundary, 1, &options);
   result = lam_least_area_weights(arena, &result.surface, weight_low, weight_high, &options);
   return keys->spans > 1 ? lam_least_area_solve(arena, &result.surface, keys->spans, &options)
                          : result;
 }
 
-/* Of the paper's results the one with the wanted weights. */
+/* Of the paper's results the one with the wanted weights; all of them are kept in `paper`. */
 static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *keys,
                                       const lam_spline_surface *boundary, lam_paper_result *paper) {
   double size = 0;
@@ -147,6 +176,7 @@ static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *k
     size = fmax(size, lam_distance(boundary->points[k], boundary->points[0]));
   *paper = lam_least_area_paper(arena, boundary, PAPER_HALF, PAPER_HALF,
                                 sqrt(keys->tolerance) * size, PAPER_STEPS);
+
   lam_least_area_result result = paper->patches;
   if (keys->inner_weights == WEIGHTS_FREE)
     result.surface = lam_least_area_paper_weights(arena, boundary, &paper->patches.surface,
@@ -156,8 +186,23 @@ static lam_least_area_result by_paper(lam_arena *arena, const least_area_keys *k
   return result;
 }
 
+/* ---- the kind ---- */
+
 static lam_sides_keys *sides_of(void *params) { return &((least_area_keys *)params)->sides; }
 
+/* A mean curvature is reached by Newton's method without free weights alone; otherwise false
+ * with a message. */
+static bool check_mean_curvature(const least_area_keys *keys, lam_location location,
+                                 lam_errors *errors) {
+  if (keys->mean_curvature == 0 ||
+      (keys->inner_weights != WEIGHTS_FREE && keys->method != METHOD_PAPER))
+    return true;
+  lam_error_add(errors, location, "mean_curvature",
+                "%g; expected 0 with free inner weights or method: paper", keys->mean_curvature);
+  return false;
+}
+
+/* The finished surface from its keys, or NULL with messages. */
 static const void *prepare(lam_arena *arena, const void *params, lam_location location,
                            lam_errors *errors) {
   const least_area_keys *keys = params;
@@ -165,12 +210,8 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   if (!(keys->sides.curves.count || keys->sides.file ? read_curves : read_net)(
           arena, keys, location, errors, &boundary))
     return NULL;
-  if (keys->mean_curvature != 0 &&
-      (keys->inner_weights == WEIGHTS_FREE || keys->method == METHOD_PAPER)) {
-    lam_error_add(errors, location, "mean_curvature",
-                  "%g; expected 0 with free inner weights or method: paper", keys->mean_curvature);
-    return NULL;
-  }
+  if (!check_mean_curvature(keys, location, errors)) return NULL;
+
   least_area *data = LAM_NEW(arena, least_area, 1);
   data->mean_curvature = keys->mean_curvature;
   if (keys->method == METHOD_PAPER) {
@@ -184,7 +225,8 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   return data;
 }
 
-/* The areas of the paper's results. That on approximated borders may be below the least one. */
+/* Adds the areas of the paper's results. That on approximated borders may be below the least
+ * one. */
 static void report_paper(lam_arena *arena, const lam_paper_result *paper, lam_stage *stage) {
   const struct {
     const char *name;
@@ -192,31 +234,36 @@ static void report_paper(lam_arena *arena, const lam_paper_result *paper, lam_st
   } results[] = {{"area_patches", &paper->patches.surface},
                  {"area_rational", &paper->rational},
                  {"area_separable", &paper->separable}};
+
   for (size_t k = 0; k < sizeof results / sizeof *results; k++) {
     double area = lam_surface_area(arena, results[k].surface, results[k].surface->degree[0] + 6);
     lam_stage_measure_add(arena, stage, (lam_measure){results[k].name, "m2", area, area, area, 1});
   }
+
   lam_stage_note(
       arena, stage,
       "area_patches: of Bezier patches on approximated borders; area_rational and area_separable: "
-      "of rational "
-      "Bezier patches and of the NURBS surface with separable weights, on the exact boundary");
+      "of rational Bezier patches and of the NURBS surface with separable weights, on the exact "
+      "boundary");
 }
 
+/* Adds area and mean curvature, measured anew, and how the surface was found. */
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const least_area *s = data;
   const lam_spline_surface *shape = &s->result.surface;
   stage->converged = s->result.converged;
   stage->reason = s->result.reason;
   stage->iterations = s->result.iterations;
+
   double area = lam_surface_area(arena, shape, shape->degree[0] + 6), largest, rms;
-  long places;
-  lam_surface_mean_curvature(arena, shape, s->mean_curvature, 6, &largest, &rms, &places);
+  long samples;
+  lam_surface_mean_curvature(arena, shape, s->mean_curvature, 6, &largest, &rms, &samples);
   lam_stage_measure_add(arena, stage, (lam_measure){"area", "m2", area, area, area, 1});
-  lam_stage_measure(arena, stage, "mean_curvature_max", "1/m", largest, rms, places);
+  lam_stage_measure(arena, stage, "mean_curvature_max", "1/m", largest, rms, samples);
   lam_stage_note(arena, stage,
                  "%d x %d control points; area and curvature before the surface is placed",
                  shape->count[0], shape->count[1]);
+
   if (s->paper)
     report_paper(arena, s->paper, stage);
   else
@@ -269,16 +316,12 @@ const lam_surface_kind lam_surface_least_area = {
     .head = {.name = "least-area",
              .title = "Surface of least area",
              .doc = "The soap film on a frame of four curves, as a NURBS surface whose boundary is "
-                    "exactly the given "
-                    "one. With few spans it is the best surface with few control points, good for "
-                    "exchange; 8 spans "
-                    "come within a millionth of the least area, 16 within some hundred-millionths. "
-                    "Sides that are far "
-                    "apart for their length have no film that a rectangle can span: the surface "
-                    "then collapses "
-                    "towards them, and mean_curvature_max of the report stays large. Near corners "
-                    "it is never small "
-                    "unless the sides fit a minimal surface there.",
+                    "exactly the given one. With few spans it is the best surface with few control "
+                    "points, good for exchange; 8 spans come within a millionth of the least area, "
+                    "16 within some hundred-millionths. Sides that are far apart for their length "
+                    "have no film that a rectangle can span: the surface then collapses towards "
+                    "them, and mean_curvature_max of the report stays large. Near corners it is "
+                    "never small unless the sides fit a minimal surface there.",
              .equation = "integral |x_u x x_v| du dv -> min over the inner control points",
              .source = "Wu & Wang, Designing approximate minimal NURBS surfaces with boundaries "
                        "interpolation, 2010",

@@ -1,6 +1,7 @@
-/* Surfaces of least area on given boundaries. Everything works on spline surfaces (core/model.h):
- * the outermost ring of control points and weights and the knots are the boundary and stay as they
- * are; the other points are sought.
+/* Surfaces of least area on given boundaries, for the kind of surface in least_area.c, the
+ * benchmark and the tests. Everything works on spline surfaces (lam_spline_surface): the outermost
+ * ring of control points and weights and the knots are the boundary and stay as they are; the other
+ * points are sought.
  *
  * Degrees are at most LAM_LEAST_AREA_MAX_DEGREE, knots are clamped, there are at least 3 x 3
  * points. Nothing here reads or writes files; results are owned by the arena.
@@ -35,7 +36,7 @@ bool lam_spline_surface_between(lam_arena *arena, const lam_sides *sides,
                                 lam_spline_surface *surface);
 
 /* ---- first surfaces ---- */
-/* Weight 1 for all inner points (the weights of the boundary stay). */
+/* Weight 1 for all inner points (the weights of the boundary stay). Points are shared. */
 lam_spline_surface lam_least_area_unit_weights(lam_arena *arena, const lam_spline_surface *surface);
 /* Separable weights w_ij = w_i0 w_0j / w_00 of inner points: those of a product of two curves. */
 lam_spline_surface lam_least_area_separable_weights(lam_arena *arena,
@@ -47,7 +48,7 @@ lam_spline_surface lam_least_area_dirichlet(lam_arena *arena, const lam_spline_s
 typedef enum lam_least_area_method {
   LAM_LEAST_AREA_NEWTON,   /* damped Newton with the exact second variation */
   LAM_LEAST_AREA_MAJORIZE, /* minimizes I(x; x_k) again and again (Wu & Wang, step 5): the area
-                              falls every time */
+                              never rises */
   LAM_LEAST_AREA_LBFGS     /* limited memory BFGS, scaled by the Dirichlet energy; 10 pairs */
 } lam_least_area_method;
 
@@ -56,7 +57,7 @@ typedef struct lam_least_area_options {
   double mean_curvature; /* 1/m, towards the normal x_u x x_v; 0: least area. Other methods than
                             Newton need 0. */
   double tolerance;      /* stops where the area falls by less than this part of it in one step */
-  double enough;         /* stops at or below this area; 0: not */
+  double enough;         /* stops at or below this area, m^2; 0: not */
   int most;              /* steps */
   bool accept_saddles;   /* does not look whether a stationary surface is a minimum; Newton alone
                             looks */
@@ -65,13 +66,13 @@ typedef struct lam_least_area_options {
 lam_least_area_options lam_least_area_defaults(void);
 
 typedef struct lam_least_area_result {
-  lam_spline_surface surface;
-  double area; /* by the quadrature that was minimized with: see lam_surface_area for one that was
-                  not */
-  int iterations, evaluations;
-  int saddles; /* stationary surfaces that were no minimum and had to be left */
+  lam_spline_surface surface;  /* points owned by the arena */
+  double area;                 /* m^2, by the quadrature that was minimized with: see
+                                  lam_surface_area for one that was not */
+  int iterations, evaluations; /* steps; evaluations of the area for them */
+  int saddles;                 /* stationary surfaces that were no minimum and had to be left */
   bool converged;
-  const char *reason; /* static text */
+  const char *reason; /* why it stopped; static text */
 } lam_least_area_result;
 
 /* Minimizes from the surface's own inner points, weights fixed. */
@@ -88,14 +89,15 @@ lam_least_area_result lam_least_area_weights(lam_arena *arena, const lam_spline_
                                              const lam_least_area_options *options);
 
 /* ---- measures, by other means than the minimization ---- */
-/* The area, by a rule with `count` Gauss places in each half of every knot span and direction, on
- * evaluated jets. */
+/* The area, m^2, by a rule with `count` Gauss nodes in each half of every knot span and direction,
+ * on evaluated jets. */
 double lam_surface_area(lam_arena *arena, const lam_spline_surface *surface, int count);
-/* The area from inscribed triangles on n, 2n and 4n cells per knot span, extrapolated. */
+/* The area from inscribed triangles on n, 2n and 4n cells per knot span (n = cells), extrapolated.
+ * The tests check lam_surface_area against it. */
 double lam_surface_area_triangles(lam_arena *arena, const lam_spline_surface *surface, int cells);
-/* |H - wanted| at count x count places inside of every knot span: the largest and the root of the
- * mean square. */
+/* |H - wanted|, 1/m, at count x count points inside of every knot span: the largest, the root of
+ * the mean square, and the number of points. */
 void lam_surface_mean_curvature(lam_arena *arena, const lam_spline_surface *surface, double wanted,
-                                int count, double *largest, double *rms, long *places);
+                                int count, double *largest, double *rms, long *samples);
 
 #endif

@@ -1,4 +1,6 @@
-/* The kind of surface that designs use; the mathematics is in surf/asymptotic_*.c. */
+/* The kind of surface `asymptotic-quad`: its keys, the way from corner data to the finished
+ * patch, and the report. Listed in surf/kinds/surfaces.c; the mathematics is in the other files
+ * of this folder, with make_quad.c on top. */
 #include "surf/asymptotic/asymptotic_quad.h"
 #include "surf/spline/spline_surface.h"
 #include "surf/surface_kind.h"
@@ -10,22 +12,25 @@ typedef struct lam_quad_keys {
   bool slopes;
 } lam_quad_keys;
 
+/* A finished surface. */
 typedef struct lam_quad_data {
   const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   lam_asymptotic_patch patch;
   bool straight[4];
 } lam_quad_data;
 
+/* Vector `number` of a list of coordinates, in meters. */
 static lam_vec3 vector(const double *list, int number, double unit) {
   return lam_scale(lam_v3(list[3 * number], list[3 * number + 1], list[3 * number + 2]), unit);
 }
 
-/* Lists of one number per curve, or none. */
+/* Whether lists of numbers per curve have all of them or none; otherwise false with messages. */
 static bool check_lists(const lam_quad_keys *keys, lam_location location, lam_errors *errors) {
   int before = errors->count;
   if (keys->sides.count != 0 && keys->sides.count != 4)
     lam_error_add(errors, location, "sides", "%d sides given; expected 4, or none",
                   keys->sides.count);
+
   if (keys->curvatures.count != 0 && keys->curvatures.count != 8)
     lam_error_add(errors, location, "curvatures",
                   "%d curvatures given; expected 8, two for each curve, or none",
@@ -33,14 +38,12 @@ static bool check_lists(const lam_quad_keys *keys, lam_location location, lam_er
   return errors->count == before;
 }
 
-static const void *prepare(lam_arena *arena, const void *params, lam_location location,
-                           lam_errors *errors) {
-  const lam_quad_keys *keys = params;
+/* The corner data of the keys, in meters and 1/m; what is missing stays 0. */
+static lam_quad_corners read_corners(const lam_quad_keys *keys, lam_quad_missing missing) {
   double unit = lam_point_unit(keys->unit);
   lam_quad_corners q = {
       .weight = {keys->weights[0], keys->weights[1], keys->weights[2], keys->weights[3]}};
-  if (!check_lists(keys, location, errors)) return NULL;
-  lam_quad_missing missing = {keys->sides.count == 0, keys->curvatures.count == 0, keys->slopes};
+
   for (int i = 0; i < 4; i++) {
     q.corner[i] = vector(keys->corners, i, unit);
     q.knots[i / 2][i % 2] = keys->knots[i];
@@ -51,27 +54,41 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
         q.curvature[i][e] = ((const double *)keys->curvatures.items)[2 * i + e] / unit;
     }
   }
+  return q;
+}
+
+/* The finished patch from its keys, or NULL with messages. */
+static const void *prepare(lam_arena *arena, const void *params, lam_location location,
+                           lam_errors *errors) {
+  const lam_quad_keys *keys = params;
+  if (!check_lists(keys, location, errors)) return NULL;
+  lam_quad_missing missing = {keys->sides.count == 0, keys->curvatures.count == 0, keys->slopes};
+  lam_quad_corners q = read_corners(keys, missing);
+
   lam_quad_data *data = LAM_NEW(arena, lam_quad_data, 1);
   lam_quad_form form = (lam_quad_form)keys->form;
   if (!lam_quad_corners_complete(arena, &q, form, missing, location, errors)) return NULL;
   if (!lam_asymptotic_patch_make(arena, &q, form, location, errors, &data->patch)) return NULL;
+
   for (int i = 0; i < 4; i++) data->straight[i] = q.side[i][0] == 0;
   data->nurbs = lam_nurbs_make(arena, &data->patch.surface);
   return data;
 }
 
-enum { PLACES = 200 }; /* along each boundary curve; the report names the greatest value of all */
+/* Points along each boundary curve at which the report measures. */
+enum { SAMPLES = 200 };
 
+/* Adds the greatest deviations along the boundary and the energy, measured anew on the surface. */
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const lam_quad_data *d = data;
   double ratio, sine;
-  lam_asymptotic_residuals(arena, &d->patch.surface, d->straight, PLACES, &ratio, &sine);
+  lam_asymptotic_residuals(arena, &d->patch.surface, d->straight, SAMPLES, &ratio, &sine);
   stage->iterations = -1;
   stage->measure_count = 3;
   stage->measures = LAM_NEW(arena, lam_measure, 3);
   double energy = lam_thin_plate_energy(arena, &d->patch.surface, 20);
-  stage->measures[0] = (lam_measure){"normal_curvature_ratio", "", NAN, ratio, NAN, 4 * PLACES};
-  stage->measures[1] = (lam_measure){"normal_binormal_sine", "", NAN, sine, NAN, 4 * PLACES};
+  stage->measures[0] = (lam_measure){"normal_curvature_ratio", "", NAN, ratio, NAN, 4 * SAMPLES};
+  stage->measures[1] = (lam_measure){"normal_binormal_sine", "", NAN, sine, NAN, 4 * SAMPLES};
   stage->measures[2] = (lam_measure){"thin_plate_energy", "m^2", energy, energy, energy, 1};
 }
 
@@ -112,17 +129,13 @@ const lam_surface_kind lam_surface_asymptotic_quad = {
     .head = {.name = "asymptotic-quad",
              .title = "Patch with asymptotic boundary",
              .doc = "A smooth patch over four curves that are asymptotic curves of it: along its "
-                    "edges it does not "
-                    "curve normal to itself, so that straight boards standing upright on the "
-                    "surface can be bent along "
-                    "the edge, and neighboring patches over the same curves meet smoothly. The "
-                    "curves are given by "
-                    "corners, tangents and curvatures and completed by the one of least energy. At "
-                    "every corner the "
+                    "edges it does not curve normal to itself, so that straight boards standing "
+                    "upright on the surface can be bent along the edge, and neighboring patches "
+                    "over the same curves meet smoothly. The curves are given by corners, tangents "
+                    "and curvatures and completed by the one of least energy. At every corner the "
                     "torsions of its two curves must be opposite, and no curve may change the side "
-                    "it bends to: corner "
-                    "data that cannot do so are refused. Inside, the surface is as calm as thin "
-                    "sheet metal.",
+                    "it bends to: corner data that cannot do so are refused. Inside, the surface "
+                    "is as calm as thin sheet metal.",
              .equation =
                  "N = +- b along x(u,0), x(0,v), x(u,1), x(1,v);  tau_p + tau_q = 0 at the corners",
              .source = "thesis chapter 2; Wang, Zhu & Li, J. Comput. Math. 37(5), 2019",

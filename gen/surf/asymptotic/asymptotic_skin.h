@@ -1,7 +1,8 @@
-/* Smooth skins over nets whose mesh polylines are to become asymptotic curves: one bi-9 patch per
- * face. Patches that share an edge share its curve and the tangent planes along it, because those
- * are the osculating planes of the curve.
- */
+/* Smooth skins over nets whose mesh polylines are to become asymptotic curves: one bi-9 patch
+ * per face. Patches that share an edge share its curve and the tangent planes along it, because
+ * those are the osculating planes of the curve. For fab/parts/skin.c; the form over a grid
+ * (lam_asymptotic_skin_make and _fit) is called by the tests alone and is for programs that have
+ * tangents, curvatures and torsions, or want them from points. */
 #ifndef LAM_SURF_ASYMPTOTIC_ASYMPTOTIC_SKIN_H
 #define LAM_SURF_ASYMPTOTIC_ASYMPTOTIC_SKIN_H
 
@@ -37,7 +38,7 @@ typedef struct lam_skin_fit {
   double missed;      /* m: the largest distance of the end of an edge from its vertex */
   double tilt;        /* rad: the largest angle between a conormal and its start */
   int contradictions; /* edges of a net that has no torsion of one sign along a family */
-  int made;           /* patches */
+  int made;           /* patches that do not fold over */
 } lam_skin_fit;
 
 /* One patch per cell. Cells that share two vertices share the curve between them; any number may
@@ -64,8 +65,9 @@ bool lam_asymptotic_skin_make(lam_arena *arena, const int count[2], const lam_sk
 double lam_asymptotic_skin_fit(lam_arena *arena, const int count[2], lam_skin_vertex *vertices,
                                lam_location location, lam_errors *errors, double *start);
 
-/* For the files surf/asymptotic_skin*.c: the 8 control points of the edge between two vertices,
- * along u or v; gram is that of the third derivatives of Bezier curves of degree 7. */
+/* For asymptotic_skin.c and skin_fit.c: the 8 control points of the edge between two vertices,
+ * along u (family 0) or v (1). gram: 8 x 8, of the third derivatives of Bezier curves of degree
+ * 7. */
 enum { LAM_SKIN_DEGREE = 7, LAM_SKIN_POINTS = 8 };
 void lam_skin_edge(lam_arena *arena, const double *gram, const lam_skin_vertex *from,
                    const lam_skin_vertex *to, int family, lam_vec3 points[LAM_SKIN_POINTS]);

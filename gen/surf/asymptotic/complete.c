@@ -1,13 +1,14 @@
-/* Corner data that were left out: sides from the tangents, curvatures from the least bending energy
- * of the boundary (thesis, eq. 2.5). Slopes tilt the tangent planes of the surface, and the
- * boundary alone says little about them: with slopes left out, everything is chosen for the least
- * thin-plate energy of the bi-7 surface (thesis, eq. 2.8). */
+/* Corner data that were left out: sides from the tangents, curvatures from the least bending
+ * energy of the boundary (thesis, eq. 2.5). Called by asymptotic_quad.c. Slopes tilt the tangent
+ * planes of the surface, and the boundary alone says little about them: with slopes left out,
+ * everything is chosen for the least thin-plate energy of the bi-7 surface (thesis, eq. 2.8). */
 #include "core/numeric/minimize.h"
 #include "surf/asymptotic/quad_parts.h"
 
-/* The side to which the cubic with the given ends bends: its second derivatives r''(0) = 6 d - 4
- * r'(0) - 2 r'(1) and r''(1) = -6 d + 2 r'(0) + 4 r'(1), d the chord, measured along the other
- * curves into the patch. */
+/* The side to which curve i bends as the cubic with the same ends: the sum of its second
+ * derivatives there, r''(0) = 6 d - 4 r'(0) - 2 r'(1) and r''(1) = -6 d + 2 r'(0) + 4 r'(1), d
+ * the chord, measured along the other curves into the patch. 0: the tangents are along the
+ * chord, the curve is straight. */
 static int natural_side(const lam_quad_corners *q, int i) {
   const lam_vec3 *t = q->tangent[i];
   lam_vec3 d = lam_sub(q->corner[lam_quad_corner_of[i][1]], q->corner[lam_quad_corner_of[i][0]]);
@@ -15,6 +16,7 @@ static int natural_side(const lam_quad_corners *q, int i) {
   if (lam_length(lam_cross(t[0], d)) <= 1e-6 * lam_length(t[0]) * length &&
       lam_length(lam_cross(t[1], d)) <= 1e-6 * lam_length(t[1]) * length)
     return 0;
+
   for (int e = 0; e < 2; e++) {
     lam_quad_end o = lam_quad_other[i][e];
     lam_vec3 other = lam_scale(q->tangent[o.curve][o.end], o.end ? -1 : 1), edge = lam_unit(t[e]);
@@ -25,6 +27,7 @@ static int natural_side(const lam_quad_corners *q, int i) {
   return into < 0 ? -1 : 1;
 }
 
+/* What is searched for, and where it is written to. */
 typedef struct lam_completion {
   lam_arena *arena;
   lam_quad_corners *corners;
@@ -32,11 +35,13 @@ typedef struct lam_completion {
   bool slopes, curvatures;
 } lam_completion;
 
+/* The distance of the ends of curve i. */
 static double chord_of(const lam_quad_corners *q, int i) {
   return lam_distance(q->corner[lam_quad_corner_of[i][1]], q->corner[lam_quad_corner_of[i][0]]);
 }
 
-/* Variables: the slope of every tangent against the horizontal, then log(curvature times chord). */
+/* Writes the variables x into the corner data: the slope of every tangent against the horizontal
+ * (if slopes are searched for), then log(curvature times chord). */
 static void set_corners(const lam_completion *c, const double *x) {
   lam_quad_corners *q = c->corners;
   for (int k = 0; k < 8; k++) {
@@ -46,14 +51,18 @@ static void set_corners(const lam_completion *c, const double *x) {
   }
 }
 
+/* The energy at x: of the bi-7 surface with slopes, otherwise of the boundary; INFINITY where
+ * there is none. Curvatures are limited: neither straight nor a hook. */
 static double energy_at(void *data, const double *x) {
   const lam_completion *c = data;
   for (int k = c->slopes ? 8 : 0; c->curvatures && k < (c->slopes ? 16 : 8); k++)
-    if (!(fabs(x[k]) < 5)) return INFINITY; /* neither straight nor a hook */
+    if (!(fabs(x[k]) < 5)) return INFINITY;
+
   lam_arena_mark mark = lam_arena_mark_get(c->arena);
   lam_errors errors = {.arena = c->arena};
   lam_asymptotic_patch patch;
   double energy = INFINITY;
+
   set_corners(c, x);
   if (c->slopes && lam_asymptotic_patch_make(c->arena, c->corners, LAM_QUAD_BI7, (lam_location){0},
                                              &errors, &patch))
@@ -61,41 +70,56 @@ static double energy_at(void *data, const double *x) {
   if (!c->slopes && lam_quad_boundary_make(c->arena, c->corners, c->form, (lam_location){0},
                                            &errors, &patch.boundary))
     energy = patch.boundary.energy;
+
   lam_arena_release(c->arena, mark);
   return energy;
 }
 
-bool lam_quad_corners_complete(lam_arena *arena, lam_quad_corners *corners, lam_quad_form form,
-                               lam_quad_missing missing, lam_location location,
-                               lam_errors *errors) {
-  /* a rational boundary is itself the result of a search: the quintic one stands for it */
-  lam_completion c = {arena, corners, form == LAM_QUAD_BI13 ? LAM_QUAD_BI7 : form, missing.slopes,
-                      missing.curvatures};
-  double x[LAM_MINIMIZE_MAX] = {0};
-  bool curves = form != LAM_QUAD_BI6 && form != LAM_QUAD_BI8; /* those have no given curvatures */
-  c.curvatures = c.curvatures && curves;
-  for (int k = 0; c.slopes && k < 8; k++) {
+/* Sets the eight slopes x to those of the chords, and the tangents with them. */
+static void start_slopes(lam_quad_corners *corners, double *x) {
+  for (int k = 0; k < 8; k++) {
     lam_vec3 d = lam_sub(corners->corner[lam_quad_corner_of[k / 2][1]],
                          corners->corner[lam_quad_corner_of[k / 2][0]]);
     x[k] = d.z / fmax(hypot(d.x, d.y), 1e-9 * lam_length(d));
     corners->tangent[k / 2][k % 2].z =
         x[k] * hypot(corners->tangent[k / 2][k % 2].x, corners->tangent[k / 2][k % 2].y);
   }
-  for (int i = 0; missing.sides && i < 4; i++)
-    corners->side[i][0] = corners->side[i][1] = natural_side(corners, i);
-  if (!c.slopes && !c.curvatures) return true;
-  int count = 8 * (c.slopes + c.curvatures), first = 8 * c.slopes;
+}
+
+/* Sets x[first] to x[count - 1], all curvatures alike, to the best of seven starts from nearly
+ * straight to strongly curved, and leaves the other variables. Returns the energy there. */
+static double best_start(lam_completion *c, int first, int count, double *x) {
   double least = INFINITY, best = 0;
-  for (int start = 0; start < 7; start++) { /* from nearly straight to strongly curved */
+  for (int start = 0; start < 7; start++) {
     for (int k = first; k < count; k++) x[k] = -2.0 + 0.5 * start;
-    double energy = energy_at(&c, x);
+    double energy = energy_at(c, x);
     if (energy < least) {
       least = energy;
       best = -2.0 + 0.5 * start;
     }
-    if (!c.curvatures) break;
+    if (!c->curvatures) break;
   }
-  if (!isfinite(least)) { /* say what is wrong with the data */
+  for (int k = first; k < count; k++) x[k] = best;
+  return least;
+}
+
+/* Sides first, then a search over slopes and curvatures. */
+bool lam_quad_corners_complete(lam_arena *arena, lam_quad_corners *corners, lam_quad_form form,
+                               lam_quad_missing missing, lam_location location,
+                               lam_errors *errors) {
+  /* A rational boundary is itself the result of a search: the quintic one stands for it. */
+  lam_completion c = {arena, corners, form == LAM_QUAD_BI13 ? LAM_QUAD_BI7 : form, missing.slopes,
+                      missing.curvatures};
+  double x[LAM_MINIMIZE_MAX] = {0};
+  bool curves = form != LAM_QUAD_BI6 && form != LAM_QUAD_BI8; /* those have no given curvatures */
+  c.curvatures = c.curvatures && curves;
+  if (c.slopes) start_slopes(corners, x);
+  for (int i = 0; missing.sides && i < 4; i++)
+    corners->side[i][0] = corners->side[i][1] = natural_side(corners, i);
+  if (!c.slopes && !c.curvatures) return true;
+
+  int count = 8 * (c.slopes + c.curvatures), first = 8 * c.slopes;
+  if (!isfinite(best_start(&c, first, count, x))) { /* say what is wrong with the data */
     lam_quad_boundary boundary;
     int before = errors->count;
     lam_quad_boundary_make(arena, corners, c.form, location, errors, &boundary);
@@ -104,7 +128,7 @@ bool lam_quad_corners_complete(lam_arena *arena, lam_quad_corners *corners, lam_
                     "no curvatures complete these tangents; expected other tangents");
     return false;
   }
-  for (int k = first; k < count; k++) x[k] = best;
+
   lam_minimize(count, energy_at, &c, 100, x);
   set_corners(&c, x);
   return true;

@@ -1,6 +1,9 @@
-/* Asymptotic quadrilaterals from corner data to the finished surface. */
+/* Asymptotic quadrilaterals from corner data to the finished surface: chooses among the
+ * boundaries and the tangents across them. Called by asymptotic_quad.c, complete.c, the
+ * benchmark and the tests. */
 #include "surf/asymptotic/quad_parts.h"
 
+/* Rational, quartic (curvatures follow) or of least energy, as the form says. */
 bool lam_quad_boundary_make(lam_arena *arena, const lam_quad_corners *corners, lam_quad_form form,
                             lam_location location, lam_errors *errors,
                             lam_quad_boundary *boundary) {
@@ -8,6 +11,7 @@ bool lam_quad_boundary_make(lam_arena *arena, const lam_quad_corners *corners, l
   *boundary = (lam_quad_boundary){.energy = 0};
   if (!lam_quad_corners_check(corners, form, location, errors)) return false;
   lam_quad_boundary_start(arena, corners, recipe, boundary);
+
   bool made;
   if (form == LAM_QUAD_BI13)
     made = lam_quad_boundary_rational(arena, corners, location, errors, boundary);
@@ -19,6 +23,8 @@ bool lam_quad_boundary_make(lam_arena *arena, const lam_quad_corners *corners, l
   return made;
 }
 
+/* The boundary, and a surface on it: rational, with tangents of least energy, or with those of
+ * the thesis. */
 bool lam_asymptotic_patch_make(lam_arena *arena, const lam_quad_corners *corners,
                                lam_quad_form form, lam_location location, lam_errors *errors,
                                lam_asymptotic_patch *patch) {
@@ -26,6 +32,7 @@ bool lam_asymptotic_patch_make(lam_arena *arena, const lam_quad_corners *corners
   int before = errors->count;
   if (!lam_quad_boundary_make(arena, corners, form, location, errors, &patch->boundary))
     return false;
+
   bool made;
   if (form == LAM_QUAD_BI13)
     made = lam_quad_patch_rational(arena, &patch->boundary, recipe, location, errors, patch);
@@ -33,6 +40,7 @@ bool lam_asymptotic_patch_make(lam_arena *arena, const lam_quad_corners *corners
     made = lam_quad_patch_free(arena, &patch->boundary, recipe, location, errors, patch);
   else
     made = lam_quad_patch_fixed(arena, &patch->boundary, recipe, patch);
+
   if (!made && errors->count == before)
     lam_error_add(errors, location, "form",
                   "no inner points of least energy: the boundary is degenerate");

@@ -1,41 +1,23 @@
-/* Approximately developable surfaces: the rules and powers that are gone through. */
+/* Approximately developable surfaces from a start: which method, which quadrature and which
+ * powers follow each other. Called by developable.c, by the benchmark and by the tests. The
+ * methods stand in developable_newton.c, developable_paper.c and minimax.c, their common steps
+ * in developing.c. */
 #include "surf/developable/developable_parts.h"
 #include <string.h>
-
-void lam_developing_try(const lam_developing *d, const double *step) {
-  for (int i = 0; i < d->total; i++) {
-    int k = d->norm->unknown[i];
-    d->trial[i] = k < 0 ? d->x[i] : lam_add(d->x[i], lam_v3(step[k], step[k + 1], step[k + 2]));
-  }
-}
-
-bool lam_developing_sound(const lam_developing *d, const lam_gauss_value *value) {
-  return isfinite(value->power) && value->ratio > 1e-4 && value->area < 4 * d->area;
-}
-
-int lam_spline_spans(const lam_spline_surface *s) {
-  int most = 0;
-  for (int d = 0; d < 2; d++) {
-    int count = 0;
-    for (int k = s->degree[d]; k < s->count[d]; k++) count += s->knots[d][k] < s->knots[d][k + 1];
-    most = count > most ? count : most;
-  }
-  return most;
-}
 
 /* Gauss points per span of the last steps: `along` on a single patch, always more than the degree
  * asks for. */
 static int default_points(const lam_spline_surface *s, int along) {
-  int degree = s->degree[0] > s->degree[1] ? s->degree[0] : s->degree[1],
-      spans = lam_spline_spans(s);
-  int each = (along + spans - 1) / spans;
-  return each > 2 * degree + 4 ? each : 2 * degree + 4;
+  int spans = lam_spline_spans(s);
+  return lam_developing_nodes(s, (along + spans - 1) / spans);
 }
 
+/* Minimax starts from a minimum that Newton's method finds, too. */
 static bool by_newton(const lam_developable_options *options) {
   return options->method == LAM_DEVELOPABLE_NEWTON || options->method == LAM_DEVELOPABLE_MINIMAX;
 }
 
+/* Minimizes the norm of the current power and quadrature from d->x. */
 static void minimize(lam_developing *d, const lam_developable_options *options,
                      int gauss_newton_steps) {
   if (by_newton(options))
@@ -44,12 +26,8 @@ static void minimize(lam_developing *d, const lam_developable_options *options,
     lam_developable_paper(d, options->method == LAM_DEVELOPABLE_TRUST_REGION);
 }
 
-bool lam_developing_curved(lam_developing *d) {
-  d->scale = lam_gauss_norm_eval(d->norm, d->x, 2, 1, LAM_ORDER_VALUE, NULL, NULL).max;
-  return d->scale * d->size * d->size > 1e-10;
-}
-
-/* The minima of powers 2, 4, 8 ... lead to that of a high power. */
+/* The minima of powers 4, 8, 16 ... lead to that of a high power. Ends early at a surface that is
+ * developable to rounding. */
 static void raise_power(lam_developing *d, const lam_developable_options *options) {
   d->logarithm = by_newton(options);
   for (double p = fmin(4, options->power); lam_developing_curved(d);
@@ -60,7 +38,7 @@ static void raise_power(lam_developing *d, const lam_developable_options *option
   }
 }
 
-/* What the boundary tells of size. */
+/* The diagonal of the box around count points. */
 static double box_size(int count, const lam_vec3 *x) {
   lam_vec3 low = x[0], high = x[0];
   for (int i = 1; i < count; i++) {
@@ -70,7 +48,8 @@ static double box_size(int count, const lam_vec3 *x) {
   return lam_distance(low, high);
 }
 
-/* Power 2, by Newton's method with half the places first. */
+/* Minimizes power 2; Newton's method gets a start from the quick norm, with half the nodes in each
+ * direction. */
 static void mean_square(lam_developing *d, const lam_developable_options *options,
                         const lam_gauss_norm *quick) {
   const lam_gauss_norm *last = d->norm;
@@ -80,11 +59,31 @@ static void mean_square(lam_developing *d, const lam_developable_options *option
     d->max_iterations = most < 60 ? most : 60; /* it is only a start */
     minimize(d, options, 8);
   }
+
   d->norm = last;
   d->max_iterations = most;
   minimize(d, options, 0);
 }
 
+/* The state of a minimization that begins at the surface's own points. */
+static lam_developing begin(lam_arena *arena, const lam_spline_surface *surface,
+                            const lam_developable_options *options, const lam_gauss_norm *norm,
+                            lam_developable_result *result) {
+  int total = surface->count[0] * surface->count[1];
+  lam_developing d = {.arena = arena, .norm = norm, .total = total, .power = 2, .result = result};
+  d.x = LAM_NEW(arena, lam_vec3, total);
+  d.trial = LAM_NEW(arena, lam_vec3, total);
+  d.max_iterations = options->max_iterations ? options->max_iterations : 500;
+  memcpy(d.x, surface->points, (size_t)total * sizeof *d.x);
+  d.size = box_size(total, d.x);
+
+  lam_gauss_value start = lam_gauss_norm_eval(norm, d.x, 2, 1, LAM_ORDER_VALUE, NULL, NULL);
+  d.area = start.area;
+  d.scale = sqrt(start.power);
+  return d;
+}
+
+/* The mean square first, then the power or the maximum that is asked for. */
 lam_developable_result lam_developable_solve(lam_arena *arena, lam_spline_surface *surface,
                                              lam_developable_options options) {
   lam_developable_result result = {.converged = true, .reason = "there is no inner control point"};
@@ -94,18 +93,13 @@ lam_developable_result lam_developable_solve(lam_arena *arena, lam_spline_surfac
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, total);
   memcpy(x, surface->points, (size_t)total * sizeof *x);
   surface->points = x;
+
   lam_arena_mark mark = lam_arena_mark_get(arena);
   lam_gauss_norm last = lam_gauss_norm_make(arena, surface, fine);
   lam_gauss_norm quick = lam_gauss_norm_make(arena, surface, (fine + 1) / 2);
-  lam_developing d = {.arena = arena, .norm = &last, .total = total, .power = 2, .result = &result};
-  d.x = LAM_NEW(arena, lam_vec3, total);
-  d.trial = LAM_NEW(arena, lam_vec3, total);
-  d.max_iterations = options.max_iterations ? options.max_iterations : 500;
-  memcpy(d.x, x, (size_t)total * sizeof *x);
-  d.size = box_size(total, x);
-  lam_gauss_value start = lam_gauss_norm_eval(&last, d.x, 2, 1, LAM_ORDER_VALUE, NULL, NULL);
-  d.area = start.area;
-  d.scale = sqrt(start.power);
+  lam_developing d = begin(arena, surface, &options, &last, &result);
+
+  /* High powers begin at the minimum of the mean square; they ask for more Gauss points. */
   if (last.unknowns && d.scale > 0) {
     mean_square(&d, &options, &quick);
     if (minimax) {
@@ -115,6 +109,7 @@ lam_developable_result lam_developable_solve(lam_arena *arena, lam_spline_surfac
       raise_power(&d, &options);
     }
   }
+
   if (!(d.scale > 0)) d.scale = 1;
   lam_gauss_value end =
       lam_gauss_norm_eval(&last, d.x, d.power, d.scale, LAM_ORDER_VALUE, NULL, NULL);

@@ -1,4 +1,5 @@
-/* Spline surfaces near measured points. */
+/* The surface kind "approximation": spline surfaces near measured points. Registered in
+ * surfaces.c; the mathematics is in surf/spline/spline_near.c. */
 #include "core/stage.h"
 #include "curve/bspline/basis.h"
 #include "surf/spline/point_keys.h"
@@ -8,22 +9,26 @@
 
 enum { MAX_COUNT = 100, MAX_CORRECTIONS = 50 };
 
+/* Ways to spread the knots, in the order of their names. */
 enum { EVEN, DENSE };
 static const char *const knot_names[] = {[EVEN] = "even", [DENSE] = "dense", NULL};
 
+/* The parameters of a row. */
 typedef struct approximation_keys {
   lam_point_keys points;
   int grid[2], count[2], degree[2], corrections, knots;
   double fairness, within;
 } approximation_keys;
 
+/* The surface, and what the report says of the fit. */
 typedef struct approximation_data {
   const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   int total, fits;
-  double within, most, mean,
-      before; /* distances of the points, m: in the end; mean before parameters were corrected */
+  double within;             /* as in the keys, m */
+  double most, mean, before; /* distances of the points, m; before: mean of the first fit */
 } approximation_data;
 
+/* Whether grid and degrees fit to the number of points and of control points. */
 static bool check(const approximation_keys *keys, int count, lam_location location,
                   lam_errors *errors) {
   static const char *const directions[] = {"u", "v"};
@@ -33,6 +38,7 @@ static bool check(const approximation_keys *keys, int count, lam_location locati
     lam_error_add(errors, location, "grid",
                   "%d x %d with %d points; expected two numbers whose product is that, or [0, 0]",
                   keys->grid[0], keys->grid[1], count);
+
   for (int d = 0; d < 2; d++)
     if (keys->degree[d] >= keys->count[d])
       lam_error_add(errors, location, "degree",
@@ -41,12 +47,14 @@ static bool check(const approximation_keys *keys, int count, lam_location locati
   return errors->count == before;
 }
 
-/* Parameters of the points of a grid, and the mean lengths of its rows. */
+/* Parameters of the points of a grid, and the mean lengths of its rows, m; false: two rows are
+ * the same. */
 static bool grid_parameters(lam_arena *arena, const int grid[2], const lam_vec3 *points,
                             lam_vec2 *t, double length[2]) {
   const double *rows[2];
   lam_grid_parameters(arena, LAM_PARAMETERS_CHORD, grid, points, rows);
   if (!rows[0] || !rows[1]) return false;
+
   length[0] = length[1] = 0;
   for (int k = 0; k < grid[0] * grid[1]; k++) {
     int i = k / grid[1], j = k % grid[1];
@@ -73,6 +81,7 @@ static bool fit(lam_arena *arena, lam_cloud *cloud, lam_spline_surface *surface,
   for (int d = 0; d < 2 && cloud->keys->knots == DENSE; d++)
     space->knots[d] =
         lam_surface_knots(arena, space->degree[d], space->count[d], cloud->total, cloud->t, d);
+
   for (int step = 0; step <= cloud->keys->corrections; step++) {
     if (!lam_surface_near(arena, space, cloud->total, cloud->t, cloud->points, surface))
       return false;
@@ -84,8 +93,7 @@ static bool fit(lam_arena *arena, lam_cloud *cloud, lam_spline_surface *surface,
 }
 
 /* A quarter more control points in both directions and a sixteenth of the fairness; false: they
- * would be more than points.
- */
+ * would be more than points, or more than there may be. */
 static bool grow(lam_cloud *cloud) {
   int more[2], *count = cloud->space.count;
   for (int d = 0; d < 2; d++) {
@@ -100,26 +108,37 @@ static bool grow(lam_cloud *cloud) {
   return true;
 }
 
-static const void *prepare(lam_arena *arena, const void *params, lam_location location,
-                           lam_errors *errors) {
-  const approximation_keys *keys = params;
-  lam_cloud cloud = {.keys = keys, .space = {.fairness = keys->fairness}};
-  cloud.points = lam_points_given(arena, &keys->points, 4, location, errors, &cloud.total);
-  if (!cloud.points || !check(keys, cloud.total, location, errors)) return NULL;
-  cloud.t = LAM_NEW(arena, lam_vec2, cloud.total);
+/* The points that the keys give, and their first parameters; false with messages. */
+static bool collect(lam_arena *arena, const approximation_keys *keys, lam_location location,
+                    lam_errors *errors, lam_cloud *cloud) {
+  *cloud = (lam_cloud){.keys = keys, .space = {.fairness = keys->fairness}};
+  cloud->points = lam_points_given(arena, &keys->points, 4, location, errors, &cloud->total);
+  if (!cloud->points || !check(keys, cloud->total, location, errors)) return false;
+
+  cloud->t = LAM_NEW(arena, lam_vec2, cloud->total);
   for (int d = 0; d < 2; d++) {
-    cloud.space.degree[d] = keys->degree[d];
-    cloud.space.count[d] = keys->count[d];
+    cloud->space.degree[d] = keys->degree[d];
+    cloud->space.count[d] = keys->count[d];
   }
-  bool spread = keys->grid[0]
-                    ? grid_parameters(arena, keys->grid, cloud.points, cloud.t, cloud.space.length)
-                    : lam_cloud_parameters(cloud.total, cloud.points, cloud.t, cloud.space.length);
-  if (!spread) {
+
+  double *length = cloud->space.length;
+  bool spread = keys->grid[0] ? grid_parameters(arena, keys->grid, cloud->points, cloud->t, length)
+                              : lam_cloud_parameters(cloud->total, cloud->points, cloud->t, length);
+  if (!spread)
     lam_error_add(errors, location, "points",
                   "they lie on a line, or two rows of the grid are the same; expected points "
                   "that spread over a surface");
-    return NULL;
-  }
+  return spread;
+}
+
+/* Fits, and with `within` fits again with more control points until every point is near
+ * enough. */
+static const void *prepare(lam_arena *arena, const void *params, lam_location location,
+                           lam_errors *errors) {
+  const approximation_keys *keys = params;
+  lam_cloud cloud;
+  if (!collect(arena, keys, location, errors, &cloud)) return NULL;
+
   approximation_data *data = LAM_NEW(arena, approximation_data, 1);
   data->total = cloud.total;
   data->within = keys->within;
@@ -127,11 +146,11 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   bool found = fit(arena, &cloud, &surface, data);
   while (found && keys->within > 0 && data->most > keys->within && grow(&cloud))
     found = fit(arena, &cloud, &surface, data);
+
   if (!found) {
     lam_error_add(errors, location, "fairness",
                   "without fairness %d points do not determine %d x %d control points; expected "
-                  "fewer control points or "
-                  "a fairness above 0",
+                  "fewer control points or a fairness above 0",
                   cloud.total, cloud.space.count[0], cloud.space.count[1]);
     return NULL;
   }
@@ -139,6 +158,7 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   return data;
 }
 
+/* With `within` the growing is reported as an iteration. */
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const approximation_data *d = data;
   const lam_spline_surface *s = lam_nurbs_spline(d->nurbs);
@@ -152,6 +172,7 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
             ? "no point is farther than `within`"
             : "a point is farther than `within`, with as many control points as there may be";
   }
+
   lam_stage_measure(arena, stage, "point_distance", "m", d->most, d->mean, d->total);
   lam_stage_note(arena, stage, "%d points, %d x %d control points", d->total, s->count[0],
                  s->count[1]);
@@ -159,6 +180,7 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
                  d->before);
 }
 
+/* The file of points among the parameters. */
 static lam_point_file *cloud_of(void *params) {
   return &((approximation_keys *)params)->points.cloud;
 }
@@ -208,16 +230,13 @@ const lam_surface_kind lam_surface_approximation = {
     .head = {.name = "approximation",
              .title = "Surface near points",
              .doc = "A smooth spline surface near scanned or surveyed points, by least squares "
-                    "with fairness: noise stays "
-                    "out, unlike in a surface through the points. A cloud may have any order, "
-                    "density and gaps, as long "
-                    "as it has no folds seen from above (or from the side, when it is steep); the "
-                    "surface fills the "
+                    "with fairness: noise stays out, unlike in a surface through the points. A "
+                    "cloud may have any order, density and gaps, as long as it has no folds seen "
+                    "from above (or from the side, when it is steep); the surface fills the "
                     "rectangle around it, and where this has no points it runs on straight. A grid "
-                    "of rows may fold over: "
-                    "a vault, a shell. Read point_distance in the report: when its maximum is far "
-                    "above the noise of the "
-                    "scan, take more control points or less fairness.",
+                    "of rows may fold over: a vault, a shell. Read point_distance in the report: "
+                    "when its maximum is far above the noise of the scan, take more control points "
+                    "or less fairness.",
              .equation =
                  "mean |x(u_k, v_k) - P_k|^2 + fairness integral x_uu^2 + 2 x_uv^2 + x_vv^2 -> min",
              .source =

@@ -1,17 +1,20 @@
-/* The hyperbolic paraboloid over a skew quadrilateral A, B, C, D:
+/* The hyperbolic paraboloid over a skew quadrilateral A, B, C, D; one line in surfaces.c.
  *   x(u,v) = (1-u)(1-v) A + u (1-v) B + u v C + (1-u) v D.
  * x_uu = x_vv = 0: both families of parameter lines are straight, hence asymptotic. */
 #include "surf/surface_kind.h"
 
+/* The parameters of a row: x, y, z of the four corners. */
 typedef struct lam_hypar_keys {
   double corners[12];
   int unit;
 } lam_hypar_keys;
 
+/* The same surface as a polynomial, m. */
 typedef struct lam_hypar {
   lam_vec3 origin, along, across, twist; /* x = origin + u along + v across + u v twist */
 } lam_hypar;
 
+/* The polynomial, and whether the corners span a volume. */
 static const void *prepare(lam_arena *arena, const void *params, lam_location location,
                            lam_errors *errors) {
   const lam_hypar_keys *keys = params;
@@ -21,10 +24,12 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
     const double *c = keys->corners + 3 * i;
     corner[i] = lam_scale(lam_v3(c[0], c[1], c[2]), lam_point_unit(keys->unit));
   }
+
   s->origin = corner[0];
   s->along = lam_sub(corner[1], corner[0]);
   s->across = lam_sub(corner[3], corner[0]);
   s->twist = lam_sub(lam_sub(corner[2], corner[3]), s->along);
+
   double size =
       fmax(fmax(lam_length(s->along), lam_length(s->across)), lam_distance(corner[2], corner[0]));
   double volume = lam_dot(lam_cross(s->along, s->across), lam_sub(corner[2], corner[0]));
@@ -34,6 +39,7 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   return s;
 }
 
+/* Horner's scheme, with x_v on the way. */
 static void eval(const void *data, double u, double v, lam_jet *jet) {
   const lam_hypar *s = data;
   jet->u = lam_along(s->along, v, s->twist);
@@ -43,19 +49,11 @@ static void eval(const void *data, double u, double v, lam_jet *jet) {
   jet->uv = s->twist;
 }
 
+/* The natural chart is the asymptotic one. */
 static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
   (void)data;
   bool rulings = chart == LAM_CHART_NATURAL || chart == LAM_CHART_ASYMPTOTIC;
   return rulings && lam_domain_give((lam_domain){{0, 1}, {0, 1}, {false, false}}, p, q, closed);
-}
-
-static void locate(const void *data, lam_chart chart, int sector, double p, double q, double *u,
-                   double *v) {
-  (void)data;
-  (void)chart;
-  (void)sector;
-  *u = p;
-  *v = q;
 }
 
 static const lam_key keys[] = {
@@ -70,13 +68,11 @@ const lam_surface_kind lam_surface_hyperbolic_paraboloid = {
     .head = {.name = "hyperbolic-paraboloid",
              .title = "Hyperbolic paraboloid",
              .doc = "The saddle spanned by a skew quadrilateral, ruled by straight lines in two "
-                    "ways: the classic of "
-                    "concrete shells, and the simplest asymptotic net, as the straight rulings are "
-                    "asymptotic lines. The "
-                    "lamellas along them are straight in space and only twist. It is not minimal: "
-                    "the rulings cross at "
-                    "right angles only along two lines. It is a good start for a minimal surface "
-                    "with straight edges.",
+                    "ways: the classic of concrete shells, and the simplest asymptotic net, as the "
+                    "straight rulings are asymptotic lines. The lamellas along them are straight "
+                    "in space and only twist. It is not minimal: the rulings cross at right angles "
+                    "only along two lines. It is a good start for a minimal surface with straight "
+                    "edges.",
              .equation = "x = (1-u)(1-v) A + u (1-v) B + u v C + (1-u) v D",
              .source = "Pottmann et al., Architectural Geometry, 9",
              .keys = keys,
@@ -84,4 +80,4 @@ const lam_surface_kind lam_surface_hyperbolic_paraboloid = {
     .prepare = prepare,
     .eval = eval,
     .domain = domain,
-    .locate = locate};
+    .locate = lam_locate_natural};

@@ -1,4 +1,5 @@
-/* Spline surfaces through listed points. */
+/* The surface kind "interpolation": spline surfaces through listed points. Registered in
+ * surfaces.c; the mathematics is in surf/spline/spline_through.c. */
 #include "core/stage.h"
 #include "curve/bspline/basis.h"
 #include "surf/spline/point_keys.h"
@@ -7,11 +8,13 @@
 
 enum { MAX_POINTS = 1000 }; /* in one direction */
 
+/* The parameters of a row. */
 typedef struct interpolation_keys {
   int count[2], degree[2], ends, parameters;
   lam_point_keys points;
 } interpolation_keys;
 
+/* The surface, and the points with their parameters for the report. */
 typedef struct interpolation_data {
   const lam_nurbs *nurbs; /* first: see lam_held_nurbs_eval */
   const double *t[2];
@@ -19,37 +22,49 @@ typedef struct interpolation_data {
   int count[2];
 } interpolation_data;
 
+/* The names of lam_ends, with local (Bessel's tangents) where LAM_ENDS_TANGENTS stands there. */
 enum { LOCAL = 3 };
-static const char *const end_names[] = {"average", "not-a-knot", "natural", "local",
-                                        NULL}; /* lam_ends, but LOCAL */
+static const char *const end_names[] = {"average", "not-a-knot", "natural", "local", NULL};
 
-static const void *prepare(lam_arena *arena, const void *params, lam_location location,
-                           lam_errors *errors) {
-  const interpolation_keys *keys = params;
-  int before = errors->count, total = keys->count[0] * keys->count[1];
-  static const char *const directions[] = {"u", "v"};
-  int given;
-  const lam_vec3 *points = lam_points_given(arena, &keys->points, 4, location, errors, &given);
-  if (!points) return NULL;
-  if (given != total) {
+/* For messages. */
+static const char *const directions[] = {"u", "v"};
+
+/* Whether count and degree fit to the number of points and to each other. */
+static bool check(const interpolation_keys *keys, int given, lam_location location,
+                  lam_errors *errors) {
+  int before = errors->count;
+  if (given != keys->count[0] * keys->count[1]) {
     lam_error_add(errors, location, "count",
                   "%d x %d with %d points; expected two numbers whose product is that",
                   keys->count[0], keys->count[1], given);
-    return NULL;
+    return false;
   }
+
   for (int d = 0; d < 2 && keys->ends == LAM_ENDS_AVERAGE; d++)
     if (keys->degree[d] >= keys->count[d])
       lam_error_add(errors, location, "degree",
                     "degree %d in direction %s; expected at most %d with %d points",
                     keys->degree[d], directions[d], keys->count[d] - 1, keys->count[d]);
+
   for (int d = 0; d < 2 && keys->ends != LAM_ENDS_AVERAGE; d++)
     if (keys->degree[d] != 3)
       lam_error_add(errors, location, "degree",
                     "degree %d with ends %s; expected 3, or ends: average", keys->degree[d],
                     end_names[keys->ends]);
-  if (errors->count > before) return NULL;
+  return errors->count == before;
+}
+
+/* Parameters of the rows first; then the surface through the points. */
+static const void *prepare(lam_arena *arena, const void *params, lam_location location,
+                           lam_errors *errors) {
+  const interpolation_keys *keys = params;
+  int before = errors->count, given;
+  const lam_vec3 *points = lam_points_given(arena, &keys->points, 4, location, errors, &given);
+  if (!points || !check(keys, given, location, errors)) return NULL;
+
   interpolation_data *data = LAM_NEW(arena, interpolation_data, 1);
   *data = (interpolation_data){.points = points, .count = {keys->count[0], keys->count[1]}};
+
   lam_grid_parameters(arena, (lam_parameters)keys->parameters, keys->count, points, data->t);
   for (int d = 0; d < 2; d++)
     if (!data->t[d])
@@ -58,6 +73,7 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
                     "differ",
                     directions[d]);
   if (errors->count > before) return NULL;
+
   lam_spline_surface surface = keys->ends == LOCAL
                                    ? lam_surface_through_local(arena, keys->count, data->t, points)
                                    : lam_surface_through(arena, (lam_ends)keys->ends, keys->degree,
@@ -66,6 +82,7 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   return data;
 }
 
+/* The largest and the mean distance of the points from the surface at their parameters. */
 static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   const interpolation_data *d = data;
   double most = 0, mean = 0;
@@ -76,10 +93,12 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
     most = fmax(most, lam_distance(jet.x, d->points[i]));
     mean += lam_distance(jet.x, d->points[i]) / total;
   }
+
   stage->iterations = -1;
   lam_stage_measure(arena, stage, "point_distance", "m", most, mean, total);
 }
 
+/* The file of points among the parameters. */
 static lam_point_file *cloud_of(void *params) {
   return &((interpolation_keys *)params)->points.cloud;
 }
@@ -110,12 +129,10 @@ const lam_surface_kind lam_surface_interpolation = {
     .head = {.name = "interpolation",
              .title = "Surface through points",
              .doc = "A smooth spline surface through a grid of measured or chosen points, twice "
-                    "continuously "
-                    "differentiable when cubic. Unlike control points, every point lies on the "
-                    "surface. Noise in the "
-                    "points becomes waves in the surface, and rows whose spacing differs much from "
-                    "row to row pull the "
-                    "parameter lines askew: look at curvature before building from it.",
+                    "continuously differentiable when cubic. Unlike control points, every point "
+                    "lies on the surface. Noise in the points becomes waves in the surface, and "
+                    "rows whose spacing differs much from row to row pull the parameter lines "
+                    "askew: look at curvature before building from it.",
              .equation = "x(u_i, v_j) = P_ij",
              .source = "Piegl & Tiller, The NURBS Book, 9.2.5; de Boor, A Practical Guide to "
                        "Splines, ch. XVII",

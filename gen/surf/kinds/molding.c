@@ -1,15 +1,19 @@
-/* A molding surface: a plane profile (a, b) carried along a plane trajectory c in its normal
- * planes, x = c(u) + a(v) n(u) + b(v) z,   n: horizontal, to the left of c. With t = c'/|c'| = (cos
- * f, sin f, 0): n' = -f' t and x_u = (|c'| - a f') t,   x_v = a' n + b' z,   x_uv = -a' f' t: F = M
- * = 0, so the parameter lines are curvature lines; the profiles are geodesics. f' = (c' x c'') /
- * |c'|^2, and f'' = (c' x c''') / |c'|^2 - 2 f' (c'.c'') / |c'|^2. The surface is regular while a
- * f' < |c'|: the profile must not reach the center of curvature of the trajectory. Both curves are
- * B-splines over [0, 1] with evenly spaced inner knots. */
+/* A molding surface, one line in surfaces.c: a plane profile (a, b) carried along a plane
+ * trajectory c in its normal planes,
+ *   x = c(u) + a(v) n(u) + b(v) z,   n: horizontal, to the left of c.
+ * With t = c'/|c'| = (cos f, sin f, 0):
+ *   n' = -f' t,  x_u = (|c'| - a f') t,  x_v = a' n + b' z,  x_uv = -a' f' t.
+ * F = M = 0, so the parameter lines are curvature lines; the profiles are geodesics.
+ *   f' = (c' x c'') / |c'|^2,  f'' = (c' x c''') / |c'|^2 - 2 f' (c'.c'') / |c'|^2.
+ * The surface is regular while a f' < |c'|: the profile must not reach the center of curvature
+ * of the trajectory. Both curves are B-splines over [0, 1] with evenly spaced inner knots. */
 #include "curve/bspline/basis.h"
 #include "surf/surface_kind.h"
 
-enum { SAMPLES = 64, MAX_DEGREE = 9 }; /* samples per curve piece, to find where it is singular */
+/* Samples of a curve per control point, to find where the surface is singular. */
+enum { SAMPLES = 64, MAX_DEGREE = 9 };
 
+/* The parameters of a row: lists of x, y and of distance, height. */
 typedef struct lam_molding_keys {
   lam_list trajectory, profile;
   int degree[2], unit;
@@ -21,6 +25,7 @@ typedef struct lam_plane_curve {
   const double *knots, *points;
 } lam_plane_curve;
 
+/* What evaluation needs. */
 typedef struct lam_molding {
   lam_plane_curve trajectory, profile;
   bool closed[2];
@@ -32,6 +37,7 @@ static void curve_eval(const lam_plane_curve *curve, double t, double d[4][2]) {
   int span = lam_basis_span(curve->degree, curve->count, curve->knots, t),
       width = curve->degree + 1;
   lam_basis_eval(curve->degree, curve->knots, span, t, 3, values);
+
   for (int k = 0; k < 4; k++)
     for (int c = 0; c < 2; c++) {
       d[k][c] = 0;
@@ -40,18 +46,24 @@ static void curve_eval(const lam_plane_curve *curve, double t, double d[4][2]) {
     }
 }
 
+/* The third component of the cross product. */
 static double cross2(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
+
+/* The scalar product. */
 static double dot2(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
 
+/* turn is f', change is f''. */
 static void eval(const void *data, double u, double v, lam_jet *jet) {
   const lam_molding *s = data;
   double c[4][2], p[4][2];
   curve_eval(&s->trajectory, u, c);
   curve_eval(&s->profile, v, p);
+
   double square = dot2(c[1], c[1]), speed = sqrt(square), turn = cross2(c[1], c[2]) / square;
   double change = (cross2(c[1], c[3]) - 2 * turn * dot2(c[1], c[2])) / square;
   lam_vec3 t = lam_v3(c[1][0] / speed, c[1][1] / speed, 0), n = lam_v3(-t.y, t.x, 0),
            z = lam_v3(0, 0, 1);
+
   double a = p[0][0];
   jet->x = lam_along(lam_along(lam_v3(c[0][0], c[0][1], 0), a, n), p[0][1], z);
   jet->u = lam_scale(t, speed - a * turn);
@@ -61,6 +73,7 @@ static void eval(const void *data, double u, double v, lam_jet *jet) {
   jet->vv = lam_along(lam_scale(n, p[2][0]), p[2][1], z);
 }
 
+/* The natural chart is the principal one. */
 static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
   const lam_molding *s = data;
   bool known = chart == LAM_CHART_NATURAL || chart == LAM_CHART_PRINCIPAL;
@@ -68,15 +81,9 @@ static bool domain(const void *data, lam_chart chart, double p[2], double q[2], 
          lam_domain_give((lam_domain){{0, 1}, {0, 1}, {s->closed[0], s->closed[1]}}, p, q, closed);
 }
 
-static void locate(const void *data, lam_chart chart, int sector, double p, double q, double *u,
-                   double *v) {
-  (void)data, (void)chart, (void)sector;
-  *u = p;
-  *v = q;
-}
-
 /* ---- making ---- */
 
+/* A curve from a list of two numbers per point, in meters; false with a message at the key. */
 static bool make_curve(lam_arena *arena, const lam_list *list, int degree, double unit,
                        const char *key, lam_location location, lam_errors *errors,
                        lam_plane_curve *curve) {
@@ -87,6 +94,7 @@ static bool make_curve(lam_arena *arena, const lam_list *list, int degree, doubl
                   "%d numbers given; expected two for each of at least 2 points", list->count);
     return false;
   }
+
   double *points = LAM_NEW(arena, double, 2 * count);
   for (int i = 0; i < 2 * count; i++) points[i] = given[i] * unit;
   for (int i = 1; i < count; i++)
@@ -94,6 +102,7 @@ static bool make_curve(lam_arena *arena, const lam_list *list, int degree, doubl
       lam_error_add(errors, location, key, "points %d and %d are the same", i, i + 1);
       return false;
     }
+
   *curve = (lam_plane_curve){
       .degree = degree < count ? degree : count - 1, .count = count, .points = points};
   double *knots = LAM_NEW(arena, double, count + curve->degree + 1);
@@ -109,6 +118,7 @@ static bool closes_up(const lam_plane_curve *curve, bool tangent) {
   for (int i = 1; i < curve->count; i++)
     size += hypot(curve->points[2 * i] - curve->points[2 * i - 2],
                   curve->points[2 * i + 1] - curve->points[2 * i - 1]);
+
   for (int c = 0; c < 2; c++) gap[c] = d[1][0][c] - d[0][0][c];
   double speeds = sqrt(dot2(d[0][1], d[0][1]) * dot2(d[1][1], d[1][1]));
   return hypot(gap[0], gap[1]) <= 1e-13 * size &&
@@ -116,38 +126,52 @@ static bool closes_up(const lam_plane_curve *curve, bool tangent) {
           (fabs(cross2(d[0][1], d[1][1])) <= 1e-13 * speeds && dot2(d[0][1], d[1][1]) > 0));
 }
 
-/* Where |c'| - a f' is least for a in the range of the profile: it must stay positive. */
-static void check_regular(const lam_molding *s, double unit, lam_location location,
+/* The range of the profile's distances a from the trajectory; false with a message when the
+ * profile stands still. */
+static bool profile_range(const lam_molding *s, double range[2], lam_location location,
                           lam_errors *errors) {
-  double d[4][2], low = INFINITY, high = -INFINITY;
+  double d[4][2];
   int steps = SAMPLES * s->profile.count;
+  range[0] = INFINITY;
+  range[1] = -INFINITY;
+
   for (int k = 0; k <= steps; k++) {
     curve_eval(&s->profile, (double)k / steps, d);
-    low = fmin(low, d[0][0]);
-    high = fmax(high, d[0][0]);
-    if (!(dot2(d[1], d[1]) > 0)) {
-      lam_error_add(errors, location, "profile",
-                    "the curve stands still at %g of its way; move the points there",
-                    (double)k / steps);
-      return;
-    }
+    range[0] = fmin(range[0], d[0][0]);
+    range[1] = fmax(range[1], d[0][0]);
+    if (dot2(d[1], d[1]) > 0) continue;
+    lam_error_add(errors, location, "profile",
+                  "the curve stands still at %g of its way; move the points there",
+                  (double)k / steps);
+    return false;
   }
-  steps = SAMPLES * s->trajectory.count;
+  return true;
+}
+
+/* 1 - a f' / |c'| must stay positive, for the a in the range of the profile that makes it least. */
+static void check_regular(const lam_molding *s, double unit, lam_location location,
+                          lam_errors *errors) {
+  double d[4][2], range[2];
+  if (!profile_range(s, range, location, errors)) return;
+
+  int steps = SAMPLES * s->trajectory.count;
   for (int k = 0; k <= steps; k++) {
     curve_eval(&s->trajectory, (double)k / steps, d);
     double square = dot2(d[1], d[1]), bend = cross2(d[1], d[2]) / (square * sqrt(square)),
-           a = bend > 0 ? high : low;
+           a = bend > 0 ? range[1] : range[0];
     if (square > 0 && 1 - a * bend > 1e-6) continue;
+
     lam_error_add(errors, location, "profile",
                   "reaches %g to the %s of the trajectory, whose radius at %g of its way is %g; "
-                  "expected a smaller "
-                  "distance, or a trajectory that bends less",
+                  "expected a smaller distance, or a trajectory that bends less",
                   fabs(a) / unit, bend > 0 ? "left" : "right", (double)k / steps,
                   square > 0 ? fabs(1 / bend) / unit : 0);
     return;
   }
 }
 
+/* Both curves, whether they close, and whether the surface is regular. A closed profile may
+ * have a corner where it closes. */
 static const void *prepare(lam_arena *arena, const void *params, lam_location location,
                            lam_errors *errors) {
   const lam_molding_keys *keys = params;
@@ -158,6 +182,7 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
       !make_curve(arena, &keys->profile, keys->degree[1], unit, "profile", location, errors,
                   &s->profile))
     return NULL;
+
   s->closed[0] = closes_up(&s->trajectory, true);
   s->closed[1] = closes_up(&s->profile, false);
   check_regular(s, unit, location, errors);
@@ -183,15 +208,12 @@ const lam_surface_kind lam_surface_molding = {
     .head = {.name = "molding",
              .title = "Molding surface",
              .doc = "A profile that travels along a curve on the ground, always square to it: "
-                    "vaults over a curved street, "
-                    "stadium stands, cornices. Profiles and the paths of their points are the "
-                    "curvature lines, the "
-                    "profiles are congruent and geodesics: panels between them are nearly flat "
-                    "from the start, and one "
-                    "rib serves all. A straight trajectory gives a cylinder, a circular one a "
-                    "surface of revolution. Where "
-                    "the profile reaches the center of curvature of the trajectory the surface "
-                    "would fold.",
+                    "vaults over a curved street, stadium stands, cornices. Profiles and the paths "
+                    "of their points are the curvature lines, the profiles are congruent and "
+                    "geodesics: panels between them are nearly flat from the start, and one rib "
+                    "serves all. A straight trajectory gives a cylinder, a circular one a surface "
+                    "of revolution. Where the profile reaches the center of curvature of the "
+                    "trajectory the surface would fold.",
              .equation = "x = c(u) + a(v) n(u) + b(v) z, n normal to c, (a, b) the profile",
              .source = "thesis 3.5.4, definition 27",
              .keys = keys,
@@ -199,4 +221,4 @@ const lam_surface_kind lam_surface_molding = {
     .prepare = prepare,
     .eval = eval,
     .domain = domain,
-    .locate = locate};
+    .locate = lam_locate_natural};

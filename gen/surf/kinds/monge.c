@@ -1,4 +1,5 @@
-/* A graph z = f(u,v) with x = u, y = v and a polynomial f of low degree. */
+/* A graph z = f(u,v) with x = u, y = v and a polynomial f of low degree; one line in
+ * surfaces.c. */
 #include "surf/surface_kind.h"
 
 /* The terms of f: z = sum c_k u^i v^j. */
@@ -8,6 +9,7 @@ static const struct {
              {0, 3}, {4, 0}, {3, 1}, {2, 2}, {1, 3}, {0, 4}};
 enum { TERMS = sizeof terms / sizeof terms[0], DEGREE = 4 };
 
+/* The parameters of a row, and the data. */
 typedef struct lam_monge {
   double c[TERMS];
 } lam_monge;
@@ -20,11 +22,13 @@ static void fill_powers(double t, double powers[3][DEGREE + 1]) {
     for (int k = 0; k <= DEGREE; k++) powers[d][k] = k > 0 ? k * powers[d - 1][k - 1] : 0;
 }
 
+/* Term by term. */
 static void eval(const void *data, double u, double v, lam_jet *jet) {
   const lam_monge *s = data;
   double pu[3][DEGREE + 1], pv[3][DEGREE + 1];
   fill_powers(u, pu);
   fill_powers(v, pv);
+
   *jet = (lam_jet){.x = {u, v, 0}, .u = {1, 0, 0}, .v = {0, 1, 0}};
   for (int k = 0; k < TERMS; k++) {
     int i = terms[k].i, j = terms[k].j;
@@ -37,12 +41,14 @@ static void eval(const void *data, double u, double v, lam_jet *jet) {
   }
 }
 
+/* No chart but the natural one. */
 static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
   (void)data;
   return chart == LAM_CHART_NATURAL &&
          lam_domain_give((lam_domain){{-1, 1}, {-1, 1}, {false, false}}, p, q, closed);
 }
 
+/* The key of a term. */
 #define TERM(text, k, value)                                                                       \
   {                                                                                                \
     .name = text, .type = LAM_KEY_NUMBER, .offset = offsetof(lam_monge, c[k]), .count = 1,         \
@@ -66,12 +72,10 @@ const lam_surface_kind lam_surface_monge = {
     .head = {.name = "monge",
              .title = "Monge patch",
              .doc = "A height field given by a polynomial of degree 2 to 4: x2 is the coefficient "
-                    "of x^2, x2y that of "
-                    "x^2 y, and so on. The quickest way to a dome (x2 and y2 of one sign), a "
-                    "saddle (opposite signs) "
-                    "or a monkey saddle (x3: 1, xy2: -3). Terms not named are zero: with none the "
-                    "patch is flat. Steep "
-                    "sides stretch the meshes of a net laid over it.",
+                    "of x^2, x2y that of x^2 y, and so on. The quickest way to a dome (x2 and y2 "
+                    "of one sign), a saddle (opposite signs) or a monkey saddle (x3: 1, xy2: -3). "
+                    "Terms not named are zero: with none the patch is flat. Steep sides stretch "
+                    "the meshes of a net laid over it.",
              .equation = "z = sum c_ij x^i y^j, 2 <= i + j <= 4",
              .source = "do Carmo, Differential Geometry of Curves and Surfaces, 3-3",
              .keys = keys,

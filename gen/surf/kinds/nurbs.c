@@ -1,62 +1,63 @@
-/* Spline surfaces with listed control points: Bezier, B-spline, NURBS. */
+/* Spline surfaces with listed control points, three kinds in surfaces.c: Bezier, B-spline,
+ * NURBS. The evaluation is in surf/spline/spline_surface.c. */
 #include "curve/bspline/basis.h"
+#include "surf/spline/point_keys.h"
 #include "surf/spline/spline_surface.h"
-#include "surf/surface_kind.h"
 
 enum { MAX_POINTS = 1000 }; /* in one direction */
 
+/* The parameters of a row of any of the three. */
 typedef struct lam_nurbs_keys {
   int degree[2], count[2], unit;
   lam_list points, weights, knots[2];
 } lam_nurbs_keys;
 
-/* Checks that what is listed fits together. */
+/* Whether degree and knots of direction d fit to the number of points. */
+static void check_direction(const lam_nurbs_keys *keys, int degree, int d, lam_location location,
+                            lam_errors *errors) {
+  static const char *const knot_names[] = {"knots_u", "knots_v"}, *const directions[] = {"u", "v"};
+  int count = keys->count[d];
+  if (degree >= count) {
+    lam_error_add(errors, location, "degree",
+                  "degree %d in direction %s; expected at most %d with %d points", degree,
+                  directions[d], count - 1, count);
+    return;
+  }
+
+  const lam_list *knots = &keys->knots[d];
+  const char *problem =
+      knots->count ? lam_knots_problem(degree, count, knots->count, knots->items) : NULL;
+  if (problem)
+    lam_error_add(errors, location, knot_names[d], "%d knots given: they %s", knots->count,
+                  problem);
+}
+
+/* Whether what is listed fits together; all of what is wrong is told at once. */
 static bool check(const lam_nurbs_keys *keys, const int degree[2], lam_location location,
                   lam_errors *errors) {
-  static const char *const knot_names[] = {"knots_u", "knots_v"}, *const directions[] = {"u", "v"};
   int before = errors->count, total = keys->count[0] * keys->count[1];
   if (keys->points.count != 3 * total)
     lam_error_add(errors, location, "points",
                   "%d numbers given; expected %d: x, y and z of %d x %d points", keys->points.count,
                   3 * total, keys->count[0], keys->count[1]);
+
   if (keys->weights.count != 0 && keys->weights.count != total)
     lam_error_add(errors, location, "weights",
                   "%d weights given; expected %d: one per point, or none", keys->weights.count,
                   total);
-  for (int i = 0; i < keys->weights.count; i++)
-    if (!(((const double *)keys->weights.items)[i] > 0)) {
-      lam_error_add(errors, location, "weights", "weight %d is %g; expected a positive number",
-                    i + 1, ((const double *)keys->weights.items)[i]);
-      break;
-    }
-  for (int d = 0; d < 2; d++) {
-    if (degree[d] >= keys->count[d]) {
-      lam_error_add(errors, location, "degree",
-                    "degree %d in direction %s; expected at most %d with %d points", degree[d],
-                    directions[d], keys->count[d] - 1, keys->count[d]);
-      continue;
-    }
-    const lam_list *knots = &keys->knots[d];
-    const char *problem =
-        knots->count ? lam_knots_problem(degree[d], keys->count[d], knots->count, knots->items)
-                     : NULL;
-    if (problem)
-      lam_error_add(errors, location, knot_names[d], "%d knots given: they %s", knots->count,
-                    problem);
-  }
+  lam_weights_check(&keys->weights, "weights", location, errors);
+
+  for (int d = 0; d < 2; d++) check_direction(keys, degree[d], d, location, errors);
   return errors->count == before;
 }
 
+/* The surface of the keys with these degrees; NULL with messages. Knots that are not given are
+ * evenly spaced. */
 static const lam_nurbs *make(lam_arena *arena, const lam_nurbs_keys *keys, const int degree[2],
                              lam_location location, lam_errors *errors) {
   if (!check(keys, degree, location, errors)) return NULL;
-  int total = keys->count[0] * keys->count[1];
-  lam_vec3 *net = LAM_NEW(arena, lam_vec3, total);
-  double unit = lam_point_unit(keys->unit);
-  const double *points = keys->points.items;
-  for (int i = 0; i < total; i++)
-    net[i] = lam_scale(lam_v3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), unit);
-  lam_spline_surface shape = {.points = net,
+
+  lam_spline_surface shape = {.points = lam_points_read(arena, &keys->points, keys->unit),
                               .weights = keys->weights.count ? keys->weights.items : NULL};
   for (int d = 0; d < 2; d++) {
     shape.degree[d] = degree[d];
@@ -71,18 +72,21 @@ static const lam_nurbs *make(lam_arena *arena, const lam_nurbs_keys *keys, const
   return lam_nurbs_make(arena, &shape);
 }
 
+/* With the degrees of the keys. */
 static const void *prepare(lam_arena *arena, const void *params, lam_location location,
                            lam_errors *errors) {
   const lam_nurbs_keys *keys = params;
   return make(arena, keys, keys->degree, location, errors);
 }
 
+/* A Bezier patch has the degrees that its points make. */
 static const void *prepare_bezier(lam_arena *arena, const void *params, lam_location location,
                                   lam_errors *errors) {
   const lam_nurbs_keys *keys = params;
   return make(arena, keys, (int[2]){keys->count[0] - 1, keys->count[1] - 1}, location, errors);
 }
 
+/* The keys, of which each kind has its own choice. */
 #define AT(member) offsetof(lam_nurbs_keys, member)
 #define DEGREE                                                                                     \
   {                                                                                                \
@@ -103,8 +107,7 @@ static const void *prepare_bezier(lam_arena *arena, const void *params, lam_loca
                " 6, 0, 4,  6, 3, 3,  6, 6, 3,  6, 9, 4,"                                           \
                " 9, 0, 2,  9, 3, 1,  9, 6, 1,  9, 9, 2]",                                          \
     .doc = "x, y, z of every control point, v running fastest: first all points of the first u, "  \
-           "then of the second; the "                                                              \
-           "default is a saddle of 4 x 4 points."                                                  \
+           "then of the second; the default is a saddle of 4 x 4 points."                          \
   }
 #define UNIT                                                                                       \
   {                                                                                                \
@@ -121,7 +124,7 @@ static const void *prepare_bezier(lam_arena *arena, const void *params, lam_loca
     .name = "knots_" direction, .type = LAM_KEY_NUMBER, .offset = AT(knots[which]),                \
     .initial = "[]",                                                                               \
     .doc = "Knots in " direction ", count + degree + 1 numbers that do not decrease; none: "       \
-                                 "clamped and evenly spaced from 0 to 1."                          \
+           "clamped and evenly spaced from 0 to 1."                                                \
   }
 
 static const lam_key bezier_keys[] = {COUNT(LAM_BASIS_MAX_VALUES), POINTS, WEIGHTS, UNIT, {0}};
@@ -135,13 +138,10 @@ const lam_surface_kind lam_surface_bezier = {
         {.name = "bezier",
          .title = "Bezier patch",
          .doc = "One polynomial patch over a net of control points, or one rational patch when "
-                "weights are given. "
-                "It passes through the four corner points and touches the net there; every other "
-                "point only pulls. "
-                "Good for a single calm shell with few points. The degree is one less than the "
-                "number of points in "
-                "each direction, so many points make the patch stiff and slow to answer: take a "
-                "B-spline then.",
+                "weights are given. It passes through the four corner points and touches the net "
+                "there; every other point only pulls. Good for a single calm shell with few "
+                "points. The degree is one less than the number of points in each direction, so "
+                "many points make the patch stiff and slow to answer: take a B-spline then.",
          .equation =
              "x(u,v) = sum_ij B_i(u) B_j(v) w_ij P_ij / sum_ij B_i(u) B_j(v) w_ij, 0 <= u,v <= 1",
          .source = "Piegl & Tiller, The NURBS Book, 1.4",
@@ -156,12 +156,10 @@ const lam_surface_kind lam_surface_bspline = {
     .head = {.name = "bspline",
              .title = "B-spline surface",
              .doc = "A surface of polynomial patches that join smoothly, over a net of control "
-                    "points. A point acts "
-                    "only near itself, so free forms with many points stay easy to handle. Take "
-                    "degree 3 or more when "
-                    "curvature matters: at degree 2 it jumps from patch to patch, and strips cut "
-                    "along such a surface "
-                    "show the jump. A knot repeated as often as the degree makes a crease.",
+                    "points. A point acts only near itself, so free forms with many points stay "
+                    "easy to handle. Take degree 3 or more when curvature matters: at degree 2 it "
+                    "jumps from patch to patch, and strips cut along such a surface show the jump. "
+                    "A knot repeated as often as the degree makes a crease.",
              .equation = "x(u,v) = sum_ij N_i(u) N_j(v) P_ij",
              .source = "Piegl & Tiller, The NURBS Book, 3.4",
              .keys = bspline_keys,
@@ -175,13 +173,10 @@ const lam_surface_kind lam_surface_nurbs = {
     .head = {.name = "nurbs",
              .title = "NURBS surface",
              .doc = "The surface of most modelling programs: a B-spline surface with a weight on "
-                    "every control point. "
-                    "With the right weights it contains the quadrics and surfaces of revolution "
-                    "exactly. Degree, "
-                    "knots, points and weights are listed as such a program exports them; note "
-                    "that some programs "
-                    "leave out the first and the last knot. Very uneven weights squeeze the "
-                    "parameter lines together, "
+                    "every control point. With the right weights it contains the quadrics and "
+                    "surfaces of revolution exactly. Degree, knots, points and weights are listed "
+                    "as such a program exports them; note that some programs leave out the first "
+                    "and the last knot. Very uneven weights squeeze the parameter lines together, "
                     "and a net that follows them gets uneven too.",
              .equation = "x(u,v) = sum_ij N_i(u) N_j(v) w_ij P_ij / sum_ij N_i(u) N_j(v) w_ij",
              .source = "Piegl & Tiller, The NURBS Book, 4.4",

@@ -1,13 +1,16 @@
-/* The torus x = ((R + r cos v) cos u, (R + r cos v) sin u, r sin v), R > r. The principal chart is
- * isothermic: dq = r dv / (R + r cos v) gives tan(v/2) = k tan(w q) with k = sqrt((R+r)/(R-r)), w =
- * sqrt(R^2 - r^2) / (2r), and q has the period pi / w. */
+/* The torus x = ((R + r cos v) cos u, (R + r cos v) sin u, r sin v), R > r; one line in
+ * surfaces.c. The principal chart is isothermic: dq = r dv / (R + r cos v) gives tan(v/2) = k
+ * tan(w q) with k = sqrt((R+r)/(R-r)), w = sqrt(R^2 - r^2) / (2r), and q has the period pi /
+ * w. */
 #include "core/numbers.h"
 #include "surf/surface_kind.h"
 
+/* The parameters of a row, and the data: R and r. */
 typedef struct lam_torus {
   double ring, tube;
 } lam_torus;
 
+/* Only a check: the tube must leave a hole. */
 static const void *prepare(lam_arena *arena, const void *params, lam_location location,
                            lam_errors *errors) {
   const lam_torus *torus = params;
@@ -19,6 +22,7 @@ static const void *prepare(lam_arena *arena, const void *params, lam_location lo
   return torus;
 }
 
+/* The meridian is a circle around (R, 0). */
 static void eval(const void *data, double u, double v, lam_jet *jet) {
   const lam_torus *t = data;
   double c = t->tube * cos(v), s = t->tube * sin(v);
@@ -26,10 +30,12 @@ static void eval(const void *data, double u, double v, lam_jet *jet) {
                   u, jet);
 }
 
+/* w of the principal chart. */
 static double frequency(const lam_torus *t) {
   return sqrt((t->ring - t->tube) * (t->ring + t->tube)) / (2 * t->tube);
 }
 
+/* All of it; closed both ways. */
 static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
   bool known = chart == LAM_CHART_NATURAL || chart == LAM_CHART_PRINCIPAL;
   double half = chart == LAM_CHART_PRINCIPAL ? M_PI_2 / frequency(data) : LAM_PI;
@@ -45,6 +51,7 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
   *u = p;
   *v = q;
   if (chart == LAM_CHART_NATURAL) return;
+
   double k = sqrt((t->ring + t->tube) / (t->ring - t->tube)), a = frequency(t) * q, c = cos(a),
          s = sin(a);
   *v = 2 * (a + atan((k - 1) * s * c / (c * c + k * s * s)));
@@ -61,12 +68,10 @@ const lam_surface_kind lam_surface_torus = {
     .head = {.name = "torus",
              .title = "Torus",
              .doc = "A ring of circular section. Its outer half bulges (K > 0), its inner half is "
-                    "a saddle (K < 0), "
-                    "and the top and bottom circles between them are flat in one direction. "
-                    "Patches of it make roofs "
-                    "with repeated parts, because all meridians are alike. Asymptotic nets exist "
-                    "on the inner half "
-                    "only. In the principal chart the meshes are squares.",
+                    "a saddle (K < 0), and the top and bottom circles between them are flat in one "
+                    "direction. Patches of it make roofs with repeated parts, because all "
+                    "meridians are alike. Asymptotic nets exist on the inner half only. In the "
+                    "principal chart the meshes are squares.",
              .equation = "x = ((ring + tube cos v) cos u, (ring + tube cos v) sin u, tube sin v)",
              .source = "do Carmo, Differential Geometry of Curves and Surfaces, 3-3",
              .keys = keys,

@@ -1,5 +1,9 @@
+/* Reads the keys `points`, `file`, `unit` and `weights` of surfaces over listed points. Called
+ * by surf/kinds (interpolation, approximation, nurbs), by sides_keys.c and by
+ * surf/area/least_area.c. */
 #include "surf/spline/point_keys.h"
 
+/* Three numbers a point, scaled to meters. */
 lam_vec3 *lam_points_read(lam_arena *arena, const lam_list *list, int unit) {
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, list->count / 3);
   const double *x = list->items, meters = lam_point_unit(unit);
@@ -8,6 +12,7 @@ lam_vec3 *lam_points_read(lam_arena *arena, const lam_list *list, int unit) {
   return points;
 }
 
+/* The points of the file, in meters; NULL with a message at `file`. */
 static const lam_vec3 *from_file(lam_arena *arena, const lam_point_keys *keys, int least,
                                  lam_location location, lam_errors *errors, int *count) {
   const lam_point_file *cloud = &keys->cloud;
@@ -16,11 +21,13 @@ static const lam_vec3 *from_file(lam_arena *arena, const lam_point_keys *keys, i
                   cloud->file);
     return NULL;
   }
+
   if (cloud->count < least) {
     lam_error_add(errors, location, "file", "%s has %d points; expected %d or more", cloud->file,
                   cloud->count, least);
     return NULL;
   }
+
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, cloud->count);
   for (int i = 0; i < cloud->count; i++)
     points[i] = lam_scale(cloud->points[i], lam_point_unit(keys->unit));
@@ -28,15 +35,31 @@ static const lam_vec3 *from_file(lam_arena *arena, const lam_point_keys *keys, i
   return points;
 }
 
+/* The file goes before the list: a design that names a file leaves the default list standing. */
 const lam_vec3 *lam_points_given(lam_arena *arena, const lam_point_keys *keys, int least,
                                  lam_location location, lam_errors *errors, int *count) {
   int given = keys->list.count;
   if (keys->cloud.file) return from_file(arena, keys, least, location, errors, count);
+
   if (given % 3 || given < 3 * least) {
     lam_error_add(errors, location, "points",
                   "%d numbers given; expected x, y and z of %d points or more", given, least);
     return NULL;
   }
+
   *count = given / 3;
   return lam_points_read(arena, &keys->list, keys->unit);
+}
+
+/* Stops at the first weight that is not positive; NaN is none. */
+bool lam_weights_check(const lam_list *weights, const char *key, lam_location location,
+                       lam_errors *errors) {
+  const double *w = weights->items;
+  for (int i = 0; i < weights->count; i++)
+    if (!(w[i] > 0)) {
+      lam_error_add(errors, location, key, "weight %d is %g; expected a positive number", i + 1,
+                    w[i]);
+      return false;
+    }
+  return true;
 }

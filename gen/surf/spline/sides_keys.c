@@ -1,21 +1,13 @@
+/* Reads four boundary curves as a design gives them, in numbers or in a file, and says what is
+ * wrong with them. Called by surf/kinds/coons.c, surf/area/least_area.c and
+ * surf/developable/developable.c. */
 #include "surf/spline/sides_keys.h"
 #include "curve/bspline/basis.h"
 #include "curve/curve.h"
 
 enum { MAX_POINTS = 1000 };
 
-bool lam_weights_check(const lam_list *weights, const char *key, lam_location location,
-                       lam_errors *errors) {
-  const double *w = weights->items;
-  for (int i = 0; i < weights->count; i++)
-    if (!(w[i] > 0)) {
-      lam_error_add(errors, location, key, "weight %d is %g; expected a positive number", i + 1,
-                    w[i]);
-      return false;
-    }
-  return true;
-}
-
+/* Whether all numbers of a list are the same. */
 static bool all_equal(const lam_list *list) {
   const double *x = list->items;
   for (int i = 1; i < list->count; i++)
@@ -33,13 +25,16 @@ typedef struct reader {
   lam_errors *errors;
 } reader;
 
+/* The key of a message about the reader's curve. */
 static const char *key_of(const reader *r, const char *name) {
   return lam_arena_printf(r->arena, "curves[%d].%s", r->index, name);
 }
 
+/* Weights: none or one per point, positive; all the same where the surface is polynomial. */
 static void check_weights(const reader *r) {
   const lam_list *weights = &r->keys->weights;
   if (!weights->count) return;
+
   const char *key = key_of(r, "weights");
   if (weights->count != r->count)
     lam_error_add(r->errors, r->location, key,
@@ -51,6 +46,7 @@ static void check_weights(const reader *r) {
                   "different weights given; expected none: this surface is polynomial");
 }
 
+/* Knots: none, or as many as points and degree ask for, and sound. */
 static void check_knots(const reader *r) {
   const lam_list *knots = &r->keys->knots;
   const char *problem =
@@ -60,6 +56,7 @@ static void check_knots(const reader *r) {
                   "%d knots given with degree %d: they %s", knots->count, r->degree, problem);
 }
 
+/* Vectors across the side: none, or one per point. */
 static void check_across(const reader *r) {
   int given = r->keys->across.count;
   if (given && given != 3 * r->count)
@@ -69,15 +66,18 @@ static void check_across(const reader *r) {
         3 * r->count, r->count);
 }
 
+/* Whether the numbers of one curve fit together; all of what is wrong is told at once. */
 static bool check(const reader *r) {
   int given = r->keys->points.count, before = r->errors->count;
   int most = r->count - 1 < r->limits.degree ? r->count - 1 : r->limits.degree;
+
   if (given % 3 || r->count < 2 || r->count > MAX_POINTS)
     lam_error_add(r->errors, r->location, key_of(r, "points"),
                   "%d numbers given; expected x, y and z of 2 to %d points", given, MAX_POINTS);
   else if (r->degree > most)
     lam_error_add(r->errors, r->location, key_of(r, "degree"),
                   "degree %d with %d points; expected at most %d", r->degree, r->count, most);
+
   if (r->errors->count > before) return false;
   check_weights(r);
   check_knots(r);
@@ -85,6 +85,7 @@ static bool check(const reader *r) {
   return r->errors->count == before;
 }
 
+/* A curve that has passed the check. Knots that are not given are evenly spaced. */
 static void read_curve(const reader *r, lam_spline_curve *side, lam_bspline *across) {
   const lam_side_keys *keys = r->keys;
   double *even = LAM_NEW(r->arena, double, r->count + r->degree + 1);
@@ -92,6 +93,9 @@ static void read_curve(const reader *r, lam_spline_curve *side, lam_bspline *acr
   *side = (lam_spline_curve){r->degree, r->count, keys->knots.count ? keys->knots.items : even,
                              lam_points_read(r->arena, &keys->points, r->unit),
                              keys->weights.count ? keys->weights.items : NULL};
+
+  /* The vectors across are control points of a spline with the knots of the side, without
+   * weights. */
   if (!keys->across.count) return;
   lam_spline_curve vectors = *side;
   vectors.points = lam_points_read(r->arena, &keys->across, r->unit);
@@ -101,33 +105,46 @@ static void read_curve(const reader *r, lam_spline_curve *side, lam_bspline *acr
 
 /* ---- curves of a file ---- */
 
+/* Adds a message; false. */
 static bool fail(lam_errors *errors, lam_location location, const char *key, const char *text) {
   lam_error_add(errors, location, key, "%s", text);
   return false;
 }
 
-/* The indices of the four curves to take, from 0. */
-static bool pick(const lam_sides_keys *keys, lam_location location, lam_errors *errors,
-                 int chosen[LAM_SIDES]) {
-  const int *picked = keys->pick.items;
+/* Whether the file has been read and is clear about which four of its curves are meant. */
+static bool has_four(const lam_sides_keys *keys, lam_location location, lam_errors *errors) {
   int count = keys->read_count;
   if (keys->curves_given)
     return fail(errors, location, "file", "given beside curves; expected one of them");
+
   if (!keys->read) {
     lam_error_add(errors, location, "file", "%s cannot be read: this caller loads no files",
                   keys->file);
     return false;
   }
+
   if (count < LAM_SIDES || (count > LAM_SIDES && !keys->pick.count)) {
     lam_error_add(errors, location, "file", "%s has %d curve%s; expected four%s", keys->file, count,
                   count == 1 ? "" : "s",
                   count > LAM_SIDES ? ", or pick: with the numbers of four" : "");
     return false;
   }
+
   if (keys->pick.count && keys->pick.count != LAM_SIDES) {
     lam_error_add(errors, location, "pick", "%d curves picked; expected 4", keys->pick.count);
     return false;
   }
+  return true;
+}
+
+/* The indices of the four curves to take, from 0; false with a message when there are not
+ * four. */
+static bool pick(const lam_sides_keys *keys, lam_location location, lam_errors *errors,
+                 int chosen[LAM_SIDES]) {
+  const int *picked = keys->pick.items;
+  int count = keys->read_count;
+  if (!has_four(keys, location, errors)) return false;
+
   for (int i = 0; i < LAM_SIDES; i++) {
     chosen[i] = keys->pick.count ? picked[i] - 1 : i;
     if (chosen[i] >= count) {
@@ -145,16 +162,18 @@ static bool pick(const lam_sides_keys *keys, lam_location location, lam_errors *
   return true;
 }
 
-/* One curve of the file; what is wrong with it is a message at `file`. */
+/* Whether a curve of the file can be a side; what is wrong with it is a message at `file`. */
 static bool take(const lam_named_curve *curve, lam_sides_limits limits, lam_location location,
                  lam_errors *errors) {
   const lam_spline_curve *c = &curve->spline;
   bool weighted = false;
   for (int i = 1; c->weights && i < c->count; i++) weighted |= c->weights[i] != c->weights[0];
+
   const char *problem =
       c->degree <= limits.degree
           ? lam_knots_problem(c->degree, c->count, c->count + c->degree + 1, c->knots)
           : NULL;
+
   if (c->degree > limits.degree)
     lam_error_add(errors, location, "file", "curve %s has degree %d; expected at most %d",
                   curve->name, c->degree, limits.degree);
@@ -172,18 +191,20 @@ static bool take(const lam_named_curve *curve, lam_sides_limits limits, lam_loca
 
 /* ---- sides ---- */
 
-/* What the curves are called in messages. */
+/* The four curves as they were given, and what they are called in messages. */
 typedef struct given_sides {
   lam_sides sides;
   const char *key;              /* of all */
   const char *names[LAM_SIDES]; /* of each */
 } given_sides;
 
+/* The four curves of the file; false with messages. */
 static bool read_file(const lam_sides_keys *keys, lam_sides_limits limits, lam_location location,
                       lam_errors *errors, given_sides *given) {
   int chosen[LAM_SIDES], before = errors->count;
   given->key = "file";
   if (!pick(keys, location, errors, chosen)) return false;
+
   for (int i = 0; i < LAM_SIDES; i++) {
     const lam_named_curve *curve = &keys->read[chosen[i]];
     given->names[i] = lam_arena_printf(errors->arena, "curve %d (%s)", chosen[i] + 1, curve->name);
@@ -192,6 +213,7 @@ static bool read_file(const lam_sides_keys *keys, lam_sides_limits limits, lam_l
   return errors->count == before;
 }
 
+/* The four curves of the list, degree 0 standing for 3 or less; false with messages. */
 static bool read_numbers(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits,
                          lam_location location, lam_errors *errors, given_sides *given) {
   int before = errors->count;
@@ -201,6 +223,7 @@ static bool read_numbers(lam_arena *arena, const lam_sides_keys *keys, lam_sides
     lam_error_add(errors, location, "curves", "%d curves given; expected 4", keys->curves.count);
     return false;
   }
+
   for (int i = 0; i < LAM_SIDES; i++) {
     const lam_side_keys *curve = (const lam_side_keys *)keys->curves.items + i;
     int count = curve->points.count / 3, degree = curve->degree ? curve->degree
@@ -213,30 +236,42 @@ static bool read_numbers(lam_arena *arena, const lam_sides_keys *keys, lam_sides
   return errors->count == before;
 }
 
-bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits,
-                    lam_location location, lam_errors *errors, lam_sides *sides) {
+/* The message for curves that do not meet, about their worst gap, or for points that are all
+ * one. */
+static void explain_gap(const given_sides *given, bool of_file, const lam_sides_gap *gap,
+                        lam_location location, lam_errors *errors) {
   static const char *const ends[] = {"start", "end"};
-  given_sides given = {.key = NULL};
-  if (!(keys->file ? read_file(keys, limits, location, errors, &given)
-                   : read_numbers(arena, keys, limits, location, errors, &given)))
-    return false;
-  lam_sides_gap gap;
-  if (lam_sides_join(arena, &given.sides, sides, &gap)) return true;
-  if (gap.distance > 0 && keys->file)
+  const char *first_end = ends[gap->end[0]], *second_end = ends[gap->end[1]];
+  const char *first = given->names[gap->curve[0]], *second = given->names[gap->curve[1]];
+
+  if (gap->distance > 0 && of_file)
     lam_error_add(
         errors, location, "file",
         "the %s of %s lies %.3g m from the %s of %s; expected four curves that meet end to end",
-        ends[gap.end[1]], given.names[gap.curve[1]], gap.distance, ends[gap.end[0]],
-        given.names[gap.curve[0]]);
-  else if (gap.distance > 0)
-    lam_error_add(errors, location, given.names[gap.curve[1]],
+        second_end, second, gap->distance, first_end, first);
+  else if (gap->distance > 0)
+    lam_error_add(errors, location, second,
                   "its %s lies %.3g m from the %s of %s; expected four curves that meet end to end",
-                  ends[gap.end[1]], gap.distance, ends[gap.end[0]], given.names[gap.curve[0]]);
+                  second_end, gap->distance, first_end, first);
   else
-    lam_error_add(errors, location, given.key, "all points are one; expected four curves");
+    lam_error_add(errors, location, given->key, "all points are one; expected four curves");
+}
+
+/* Reads the curves of the file or of the list, then joins them. */
+bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits,
+                    lam_location location, lam_errors *errors, lam_sides *sides) {
+  given_sides given = {.key = NULL};
+  bool sound = keys->file ? read_file(keys, limits, location, errors, &given)
+                          : read_numbers(arena, keys, limits, location, errors, &given);
+  if (!sound) return false;
+
+  lam_sides_gap gap = {0};
+  if (lam_sides_join(arena, &given.sides, sides, &gap)) return true;
+  explain_gap(&given, keys->file != NULL, &gap, location, errors);
   return false;
 }
 
+/* The rows that both tables share. */
 #define AT(member) .offset = offsetof(lam_side_keys, member)
 #define CURVE_ROWS                                                                                 \
   {.name = "points",                                                                               \

@@ -1,5 +1,6 @@
-/* Four boundary curves as designs give them, in numbers or in a file: the keys `curves`, `unit`,
- * `file` and `pick` of every kind of surface over four sides. */
+/* Four boundary curves as designs give them, in numbers or in a file: the keys `curves`,
+ * `unit`, `file` and `pick` of every kind of surface over four sides (surf/kinds/coons.c,
+ * surf/area/least_area.c, surf/developable/developable.c). */
 #ifndef LAM_SURF_SPLINE_SIDES_KEYS_H
 #define LAM_SURF_SPLINE_SIDES_KEYS_H
 
@@ -9,14 +10,14 @@
 #include "surf/spline/sides.h"
 #include "surf/surface_kind.h"
 
-/* One of the maps in `curves`. */
+/* One of the maps in `curves`: lists of numbers as in the design. */
 typedef struct lam_side_keys {
   lam_list points, weights, knots, across;
   int degree;
 } lam_side_keys;
 
-/* A member of the parameters of a kind; filled by LAM_SIDES_KEYS. The design names the file, and
- * who reads files puts its curves in before the surface is made. */
+/* A member of the parameters of a kind; filled by LAM_SIDES_KEYS. The design names the file,
+ * and who reads files puts its curves in (surf/spline/surface_inputs.h) before it is made. */
 typedef struct lam_sides_keys {
   lam_list curves;   /* of lam_side_keys */
   bool curves_given; /* by the design, not by default */
@@ -24,15 +25,16 @@ typedef struct lam_sides_keys {
   const char *file;  /* NULL: none */
   lam_list pick;     /* of int: which of the file's curves, from 1; empty: the file has four */
   int read_count;
-  const lam_named_curve
-      *read; /* NULL: the file is not read. Sound but for knots that repeat too often */
+  /* The curves of the file, sound but for knots that repeat too often; NULL: it is not read. */
+  const lam_named_curve *read;
 } lam_sides_keys;
 
-/* The tables of one curve: with points, weights, knots and degree; the second with `across` too. */
+/* The tables of one curve: with points, weights, knots and degree; the second with `across`
+ * too. */
 extern const lam_key lam_side_table[], lam_side_across_table[];
 
-/* Rows for the key table of a kind: params.member is a lam_sides_keys, table one of the two above,
- * text the default. */
+/* Rows for the key table of a kind: params.member is a lam_sides_keys, table one of the two
+ * above, text the default. */
 #define LAM_SIDES_KEYS(params, member, table, text)                                                \
   {.name = "curves",                                                                               \
    .type = LAM_KEY_MAP,                                                                            \
@@ -42,8 +44,7 @@ extern const lam_key lam_side_table[], lam_side_across_table[];
    .size = sizeof(lam_side_keys),                                                                  \
    .given_offset = offsetof(params, member.curves_given),                                          \
    .doc = "The four boundary curves, each in either direction, listed around the boundary: v=0, "  \
-          "u=0, v=1, u=1, or as "                                                                  \
-          "v=0, v=1, u=0, u=1. They must meet at their ends."},                                    \
+          "u=0, v=1, u=1, or as v=0, v=1, u=0, u=1. They must meet at their ends."},               \
       {.name = "unit",                                                                             \
        .type = LAM_KEY_CHOICE,                                                                     \
        .offset = offsetof(params, member.unit),                                                    \
@@ -52,6 +53,8 @@ extern const lam_key lam_side_table[], lam_side_across_table[];
        .choices = lam_point_units,                                                                 \
        .doc = "Unit of the numbers in points and vectors."},                                       \
       LAM_SIDES_FILE_KEYS(params, member)
+
+/* The last two of these rows. */
 #define LAM_SIDES_FILE_KEYS(params, member)                                                        \
   {.name = "file",                                                                                 \
    .type = LAM_KEY_TEXT,                                                                           \
@@ -59,9 +62,8 @@ extern const lam_key lam_side_table[], lam_side_across_table[];
    .count = 1,                                                                                     \
    .initial = "~",                                                                                 \
    .doc = "In place of curves: a .step, .stp, .igs, .iges, .json or .obj file beside the design "  \
-          "with four curves "                                                                      \
-          "(splines, "                                                                             \
-          "lines or arcs) that meet end to end, in any order and direction. The first is v=0."},   \
+          "with four curves (splines, lines or arcs) that meet end to end, in any order and "      \
+          "direction. The first is v=0."},                                                         \
   {                                                                                                \
     .name = "pick", .type = LAM_KEY_INTEGER, .offset = offsetof(params, member.pick),              \
     .initial = "[]", .min = 1, .max = 1000000,                                                     \
@@ -75,12 +77,9 @@ typedef struct lam_sides_limits {
   bool no_weights; /* polynomial curves only */
 } lam_sides_limits;
 
-/* The sides that the keys give, joined (lam_sides_join); false with messages. */
+/* The sides that the keys give, in meters, joined (lam_sides_join) and owned by the arena;
+ * false with messages. location: of the surface in the design. */
 bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limits limits,
                     lam_location location, lam_errors *errors, lam_sides *sides);
-
-/* Whether all weights of a list are positive; otherwise false with a message at the key. */
-bool lam_weights_check(const lam_list *weights, const char *key, lam_location location,
-                       lam_errors *errors);
 
 #endif

@@ -1,5 +1,6 @@
 /* Changes of spline surfaces that need not be exact, with bounds; products, images, parameter
- * lines. */
+ * lines. The line is called by surface_join.c; the others are part of the surface kernel,
+ * called by the unit tests. */
 #include "surf/spline/spline_edit.h"
 
 /* The largest distance of corresponding points of two nets with the same knots: rows of points of
@@ -14,8 +15,8 @@ static double net_gap(const lam_bspline *f, const lam_bspline *g, int n) {
   return most;
 }
 
-/* A move d of homogeneous points moves points by at most d times this: (1 + max |P|) / min w (Piegl
- * & Tiller, eq. 5.30). */
+/* A move d of homogeneous points moves points by at most d times this: (1 + max |P|) / min w
+ * (Piegl & Tiller, eq. 5.30). */
 static double homogeneous_factor(const lam_spline_surface *s) {
   if (!s->weights) return 1;
   double far = 0, least = INFINITY;
@@ -26,11 +27,13 @@ static double homogeneous_factor(const lam_spline_surface *s) {
   return (1 + far) / least;
 }
 
+/* The deviation is bounded by the largest distance of the control points over common knots. */
 lam_spline_surface lam_spline_surface_reduce(lam_arena *arena, const lam_spline_surface *surface,
                                              int direction, int ends, double *deviation) {
   lam_bspline net = lam_spline_surface_net(arena, surface, direction);
   lam_bspline less = lam_bspline_reduce(arena, net, ends, NULL), both[] = {net, less};
   lam_spline_surface result = lam_spline_surface_from_net(arena, surface, direction, less);
+
   if (!deviation) return result;
   lam_bspline_match(arena, 2, both);
   double factor = fmax(homogeneous_factor(surface), homogeneous_factor(&result));
@@ -38,11 +41,14 @@ lam_spline_surface lam_spline_surface_reduce(lam_arena *arena, const lam_spline_
   return result;
 }
 
+/* Every removal is measured by putting the knot back; the moves add up to at most the
+ * tolerance. */
 int lam_spline_surface_remove(lam_arena *arena, lam_spline_surface *surface, int direction,
                               double t, int times, double tolerance) {
   lam_bspline net = lam_spline_surface_net(arena, surface, direction), less;
   double factor = homogeneous_factor(surface), left = tolerance;
   int removed = 0, n = surface->weights ? 4 : 3;
+
   while (removed < times && lam_bspline_remove(arena, net, t, INFINITY, &less, NULL)) {
     lam_bspline again = lam_bspline_insert(arena, less, t, lam_bspline_multiplicity(&net, t));
     double moved = factor * net_gap(&net, &again, n);
@@ -51,6 +57,7 @@ int lam_spline_surface_remove(lam_arena *arena, lam_spline_surface *surface, int
     net = less;
     removed++;
   }
+
   if (removed) *surface = lam_spline_surface_from_net(arena, surface, direction, net);
   return removed;
 }
@@ -63,7 +70,7 @@ static lam_bspline one_like(lam_arena *arena, lam_bspline s) {
   return s;
 }
 
-/* For a surface without weights. */
+/* su(u) sv(v) x(u,v), one direction after the other. For a surface without weights. */
 static lam_spline_surface multiply(lam_arena *arena, lam_bspline su, lam_bspline sv,
                                    lam_spline_surface s) {
   for (int d = 0; d < 2; d++) {
@@ -73,11 +80,12 @@ static lam_spline_surface multiply(lam_arena *arena, lam_bspline su, lam_bspline
   return s;
 }
 
-/* As with curves, (w x) s over w: weights are multiplied by 1 with the degrees and the knots of s.
- */
+/* As with curves, (w x) s over w: weights are multiplied by 1 with the degrees and the knots of
+ * s. */
 lam_spline_surface lam_spline_surface_scale(lam_arena *arena, lam_bspline su, lam_bspline sv,
                                             const lam_spline_surface *surface) {
   if (!surface->weights) return multiply(arena, su, sv, *surface);
+
   int total = surface->count[0] * surface->count[1];
   lam_spline_surface above = *surface, below = *surface; /* w x and (w, 0, 0) */
   lam_vec3 *wx = LAM_NEW(arena, lam_vec3, total), *w = LAM_NEW(arena, lam_vec3, total);
@@ -88,8 +96,10 @@ lam_spline_surface lam_spline_surface_scale(lam_arena *arena, lam_bspline su, la
   above.points = wx;
   below.points = w;
   above.weights = below.weights = NULL;
+
   above = multiply(arena, su, sv, above);
   below = multiply(arena, one_like(arena, su), one_like(arena, sv), below);
+
   total = above.count[0] * above.count[1];
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, total);
   double *weights = LAM_NEW(arena, double, total);
@@ -97,11 +107,13 @@ lam_spline_surface lam_spline_surface_scale(lam_arena *arena, lam_bspline su, la
     weights[i] = below.points[i].x;
     points[i] = lam_scale(above.points[i], 1 / weights[i]);
   }
+
   above.points = points;
   above.weights = weights;
   return above;
 }
 
+/* Points are moved as those of a curve; affine maps keep weights and knots. */
 lam_spline_surface lam_spline_surface_map(lam_arena *arena, const lam_spline_surface *surface,
                                           lam_pose frame) {
   lam_spline_curve net = {.count = surface->count[0] * surface->count[1],
@@ -111,6 +123,7 @@ lam_spline_surface lam_spline_surface_map(lam_arena *arena, const lam_spline_sur
   return image;
 }
 
+/* Only the knots change. */
 lam_spline_surface lam_spline_surface_move_domain(lam_arena *arena,
                                                   const lam_spline_surface *surface, int direction,
                                                   double low, double high) {
@@ -121,10 +134,12 @@ lam_spline_surface lam_spline_surface_move_domain(lam_arena *arena,
   return moved;
 }
 
+/* The value of the net at t is the row of homogeneous points of the line. */
 lam_spline_curve lam_spline_surface_line(lam_arena *arena, const lam_spline_surface *surface,
                                          int direction, double t) {
   int across = 1 - direction, n = surface->weights ? 4 : 3;
   lam_bspline net = lam_spline_surface_net(arena, surface, direction);
+
   double *values = LAM_NEW(arena, double, net.dimension);
   lam_bspline_eval(&net, t, 0, values);
   return lam_spline_curve_from_net(arena,

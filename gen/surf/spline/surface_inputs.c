@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+/* A kind reads a surface, or has sides, or has points, or names no file. */
 lam_surface_file lam_surface_file_of(const lam_row *row) {
   const lam_surface_kind *kind = (const lam_surface_kind *)row->head;
   if (kind->reads_file) {
@@ -20,6 +21,7 @@ lam_surface_file lam_surface_file_of(const lam_row *row) {
   return (lam_surface_file){0};
 }
 
+/* Only the copy of the parameters is written to. */
 lam_row lam_surface_row_with(lam_arena *arena, const lam_row *row,
                              const lam_surface_inputs *inputs) {
   const lam_surface_kind *kind = (const lam_surface_kind *)row->head;

@@ -1,0 +1,49 @@
+/* From a scene to the bytes of a .glb file, for the glTF writers of this folder. */
+#include "formats/gltf/gltf_scene.h"
+
+#include <stdlib.h>
+
+const double lam_gltf_y_up[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+
+void lam_gltf_vector(float *to, lam_vec3 v) {
+  to[0] = (float)v.x + 0.f; /* -0 + 0 is 0 */
+  to[1] = (float)v.y + 0.f;
+  to[2] = (float)v.z + 0.f;
+}
+
+/* A closed polyline has as many edges as vertices, an open one an edge fewer. */
+static int edges_of(const lam_polyline *line) { return line->count - (line->closed ? 0 : 1); }
+
+/* Lines follow one another in the order of the polylines; each edge runs along its polyline. */
+int *lam_gltf_lines(lam_arena *arena, const lam_model *model, int *index_count) {
+  int edges = 0, n = 0;
+  for (int l = 0; l < model->polyline_count; l++) edges += edges_of(&model->polylines[l]);
+
+  int *indices = LAM_NEW(arena, int, edges > 0 ? 2 * edges : 0);
+  for (int l = 0; l < model->polyline_count; l++) {
+    const lam_polyline *line = &model->polylines[l];
+    for (int k = 0; k < edges_of(line); k++) {
+      indices[n++] = line->vertices[k];
+      indices[n++] = line->vertices[(k + 1) % line->count];
+    }
+  }
+  *index_count = n;
+  return indices;
+}
+
+static void free_bytes(void *slot) { free(*(char **)slot); }
+
+/* The bytes come from malloc: they are deferred to the arena before anything is added to out, which
+ * may run out of memory and jump. */
+lam_status lam_gltf_write(const lam_gltf_scene *scene, lam_text *out) {
+  char **bytes = LAM_NEW(out->arena, char *, 1);
+  lam_arena_defer(out->arena, free_bytes, bytes);
+
+  size_t count;
+  lam_status status = lam_gltf_encode(scene, bytes, &count);
+  if (status == LAM_NO_MEMORY) lam_arena_exhausted(out->arena);
+  if (status == LAM_OK) lam_text_bytes(out, *bytes, count);
+  free(*bytes);
+  *bytes = NULL;
+  return status;
+}

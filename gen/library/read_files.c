@@ -1,0 +1,117 @@
+/* Opening a file and handing its bytes to the format that its ending names. */
+#include "library/read_files.h"
+#include "core/file.h"
+#include "formats/list/formats.h"
+#include "library/session_state.h"
+#include <lamella/format.h>
+
+enum { largest_file = 1 << 30 };
+
+/* A file that is open for reading: its format and its bytes. */
+typedef struct opened {
+  const lam_format *format;
+  lam_location location;
+  char *bytes;
+  size_t count;
+} opened;
+
+/* Opens a file that should hold this content; noun names it in the message. */
+static bool open_file(lam_arena *arena, const char *path, lam_content content, const char *noun,
+                      lam_errors *errors, opened *file) {
+  *file = (opened){.format = lam_format_for(path), .location = {.file = path}};
+  if (!file->format || !lam_format_reads(file->format, content)) {
+    lam_error_add(errors, file->location, NULL, "not a file of %s that is read; expected %s", noun,
+                  lam_format_endings(arena, content));
+    return false;
+  }
+  return lam_file_read(arena, path, largest_file, errors, &file->bytes, &file->count) == LAM_OK;
+}
+
+bool lam_input_mesh(lam_arena *arena, const char *path, lam_errors *errors, lam_mesh *mesh) {
+  opened f;
+  return open_file(arena, path, LAM_CONTENT_MESH, "quads", errors, &f) &&
+         f.format->read_mesh(arena, f.bytes, f.count, f.location, errors, mesh);
+}
+
+bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors,
+                         lam_trimesh *mesh) {
+  opened f;
+  return open_file(arena, path, LAM_CONTENT_TRIANGLES, "a mesh", errors, &f) &&
+         f.format->read_triangles(arena, f.bytes, f.count, f.location, errors, mesh);
+}
+
+bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors *errors,
+                       lam_spline_surface *surface, const char **note) {
+  opened f;
+  lam_spline_list read;
+  if (!open_file(arena, path, LAM_CONTENT_SURFACES, "surfaces", errors, &f)) return false;
+  if (!f.format->read_surfaces(arena, f.bytes, f.count, f.location, errors, &read)) return false;
+  if (face < 1 || face > read.count) {
+    lam_error_add(errors, f.location, NULL,
+                  "face %d asked for, but the file has %d B-spline surface%s", face, read.count,
+                  read.count == 1 ? "" : "s");
+    return false;
+  }
+  *surface = read.items[face - 1];
+  *note = read.notes[face - 1];
+  return true;
+}
+
+bool lam_input_curves(lam_arena *arena, const char *path, lam_errors *errors, int *count,
+                      const lam_named_curve **curves) {
+  opened f;
+  lam_curve_list read;
+  if (!open_file(arena, path, LAM_CONTENT_CURVES, "curves", errors, &f)) return false;
+  if (!f.format->read_curves(arena, f.bytes, f.count, f.location, errors, &read)) return false;
+  *count = read.count;
+  *curves = read.items;
+  return true;
+}
+
+bool lam_input_points(lam_arena *arena, const char *path, lam_errors *errors, int *count,
+                      const lam_vec3 **points) {
+  opened f;
+  lam_trimesh mesh;
+  if (!open_file(arena, path, LAM_CONTENT_POINTS, "points", errors, &f)) return false;
+  if (f.format->read_points)
+    return f.format->read_points(arena, f.bytes, f.count, f.location, errors, count, points);
+  if (!f.format->read_triangles(arena, f.bytes, f.count, f.location, errors, &mesh)) return false;
+  *count = mesh.vertex_count;
+  *points = mesh.vertices;
+  return true;
+}
+
+/* ---- the face ---- */
+
+lam_status lam_read_mesh(lam_session *session, const char *path, lam_mesh *mesh) {
+  LAM_ENTER(session);
+  lam_input_mesh(session->arena, path, &session->errors, mesh);
+  return lam_session_leave(session, LAM_OK);
+}
+
+lam_status lam_read_triangles(lam_session *session, const char *path, lam_trimesh *mesh) {
+  LAM_ENTER(session);
+  lam_input_triangles(session->arena, path, &session->errors, mesh);
+  return lam_session_leave(session, LAM_OK);
+}
+
+lam_status lam_read_surface(lam_session *session, const char *path, int face,
+                            lam_spline_surface *surface, const char **note) {
+  LAM_ENTER(session);
+  lam_input_surface(session->arena, path, face, &session->errors, surface, note);
+  return lam_session_leave(session, LAM_OK);
+}
+
+lam_status lam_read_curves(lam_session *session, const char *path, int *count,
+                           const lam_named_curve **curves) {
+  LAM_ENTER(session);
+  lam_input_curves(session->arena, path, &session->errors, count, curves);
+  return lam_session_leave(session, LAM_OK);
+}
+
+lam_status lam_read_points(lam_session *session, const char *path, int *count,
+                           const lam_vec3 **points) {
+  LAM_ENTER(session);
+  lam_input_points(session->arena, path, &session->errors, count, points);
+  return lam_session_leave(session, LAM_OK);
+}

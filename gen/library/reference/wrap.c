@@ -1,0 +1,39 @@
+#include "library/reference/wrap.h"
+
+#include <string.h>
+
+int lam_columns(const char *words) {
+  int columns = 0;
+  for (; *words; words++) columns += ((unsigned char)*words & 0xC0) != 0x80;
+  return columns;
+}
+
+void lam_spaces(lam_text *text, int count) {
+  for (int i = 0; i < count; i++) lam_text_add(text, " ");
+}
+
+static int columns_of(const char *word, size_t length) {
+  int columns = 0;
+  for (size_t i = 0; i < length; i++) columns += ((unsigned char)word[i] & 0xC0) != 0x80;
+  return columns;
+}
+
+void lam_wrap(lam_text *text, const char *words, int column, int indent) {
+  bool begins = true; /* nothing was written on this line yet */
+  for (words += strspn(words, " \n"); *words; words += strspn(words, " \n")) {
+    size_t length = strcspn(words, " \n");
+    int columns = columns_of(words, length);
+    if (!begins && column + 1 + columns > LAM_PAGE_WIDTH) {
+      lam_text_add(text, "\n");
+      lam_spaces(text, indent);
+      column = indent;
+      begins = true;
+    }
+    if (!begins) lam_text_add(text, " ");
+    lam_text_bytes(text, words, length);
+    column += columns + !begins;
+    begins = false;
+    words += length;
+  }
+  lam_text_add(text, "\n");
+}

@@ -1,0 +1,105 @@
+/* Sessions: their memory, their messages, and the beginning and end of every call. */
+#include "library/session_state.h"
+#include "library/templates.h"
+#include "surf/surface.h"
+#include <lamella/lamella.h>
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* The message for memory that ran out needs none. */
+static lam_error out_of_memory = {.text = "out of memory"};
+
+const char *lam_version(void) { return LAM_VERSION; }
+
+/* ---- life ---- */
+
+lam_status lam_session_new(lam_session **session) {
+  *session = NULL;
+  lam_session *made = calloc(1, sizeof *made);
+  if (!made) return LAM_NO_MEMORY;
+
+  made->arena = lam_arena_new();
+  made->lasting = lam_arena_new();
+  if (!made->arena || !made->lasting) {
+    lam_session_free(made);
+    return LAM_NO_MEMORY;
+  }
+  made->errors.arena = made->notes.arena = made->arena;
+  *session = made;
+  return LAM_OK;
+}
+
+void lam_session_free(lam_session *session) {
+  if (!session) return;
+  lam_arena_free(session->arena);
+  lam_arena_free(session->lasting);
+  free(session);
+}
+
+void lam_session_clear(lam_session *session) {
+  assert(!session->busy);
+  lam_arena_release(session->arena, (lam_arena_mark){0});
+  session->errors = session->notes = (lam_errors){.arena = session->arena};
+  session->origins = NULL;
+}
+
+/* ---- the frame of a call ---- */
+
+void lam_session_enter(lam_session *session, jmp_buf *point) {
+  assert(!session->busy && "a call from a callback of the same session");
+  session->busy = true;
+  session->start = lam_arena_mark_get(session->arena);
+  session->errors = session->notes = (lam_errors){.arena = session->arena};
+  lam_arena_recover(session->arena, point);
+  lam_arena_recover(session->lasting, point);
+}
+
+/* The recovery point goes with the frame that it lies in. */
+static void end_call(lam_session *session) {
+  lam_arena_recover(session->arena, NULL);
+  lam_arena_recover(session->lasting, NULL);
+  session->busy = false;
+}
+
+lam_status lam_session_leave(lam_session *session, lam_status status) {
+  end_call(session);
+  return status != LAM_OK ? status : lam_errors_status(&session->errors);
+}
+
+lam_status lam_session_exhausted(lam_session *session) {
+  end_call(session);
+  lam_arena_release(session->arena, session->start);
+  session->notes = (lam_errors){.arena = session->arena};
+  session->errors = session->notes;
+  session->errors.first = session->errors.last = &out_of_memory;
+  session->errors.count = 1;
+  return LAM_NO_MEMORY;
+}
+
+/* ---- what a caller sees and sets ---- */
+
+const lam_error *lam_session_messages(const lam_session *session) { return session->errors.first; }
+const lam_error *lam_session_notes(const lam_session *session) { return session->notes.first; }
+
+void lam_session_set_progress(lam_session *session, const lam_progress *progress) {
+  session->progress = progress ? *progress : (lam_progress){0};
+}
+
+static lam_status set_templates(lam_session *session, const char *folder) {
+  session->templates = lam_arena_copy(session->lasting, folder);
+  return LAM_OK;
+}
+
+lam_status lam_session_set_templates(lam_session *session, const char *folder) {
+  LAM_ENTER(session);
+  return lam_session_leave(session, set_templates(session, folder));
+}
+
+const char *lam_session_templates(lam_session *session) {
+  return session->templates ? session->templates : lam_template_dir(session->arena);
+}
+
+lam_added_rows lam_session_rows(const lam_session *session) {
+  return (lam_added_rows){&lam_surfaces, session->surface_count, session->surfaces};
+}

@@ -1,0 +1,95 @@
+/* Measuring nets from arrays, and drawing a measure as a color map. Called through lamella/net.h. */
+#include "core/numbers.h"
+#include "library/session_state.h"
+#include "library/write/write_map.h"
+#include "net/measures/measure.h"
+#include "net/measures/measure_map.h"
+#include "net/net_kind.h"
+#include <lamella/net.h>
+
+#include <string.h>
+
+static const lam_location nowhere;
+
+/* The kind whose measures are asked for; NULL: none, or there is no such kind, with a message. */
+static const lam_net_kind *kind_of(lam_session *session, const char *as) {
+  const lam_row_head *head = as ? lam_registry_find(&lam_nets, as) : NULL;
+  if (as && !head)
+    lam_error_add(&session->errors, nowhere, "--as", "%s; expected a net of `lamella list nets`",
+                  as);
+  return (const lam_net_kind *)head;
+}
+
+static lam_status check(lam_session *session, const lam_measure_task *task) {
+  kind_of(session, task->as);
+  if (!task->map || !lam_measure_named(task->map, true, nowhere, "--map", &session->errors))
+    return LAM_OK;
+  lam_measure_map_check(task->map_path, &session->errors);
+  return LAM_OK;
+}
+
+lam_status lam_measure_task_check(lam_session *session, const lam_measure_task *task) {
+  LAM_ENTER(session);
+  return lam_session_leave(session, check(session, task));
+}
+
+/* What measures need beside the net. The reference's search tree is closed with the session's
+ * memory. */
+static bool prepare(lam_session *session, const lam_measure_task *task, lam_measuring *in) {
+  in->target_angle = task->angle > 0 ? task->angle : LAM_PI / 2;
+  in->axis = task->axis;
+  if (!task->reference) return true;
+
+  lam_tree *tree = lam_tree_new(task->reference);
+  if (!tree) {
+    lam_error_add(&session->errors, nowhere, "--reference",
+                  "the mesh cannot be searched; it has no valid triangle");
+    return false;
+  }
+  lam_arena_defer(session->arena, lam_tree_free, tree);
+  in->reference = tree;
+  in->reference_mesh = task->reference;
+  return true;
+}
+
+/* Draws one measure under the name of the mesh. */
+static lam_status write_map(lam_session *session, const lam_measure_task *task,
+                            const lam_measuring *in) {
+  const char *path = task->name ? task->name : "net", *slash = strrchr(path, '/');
+  const char *file = slash ? slash + 1 : path, *dot = strrchr(file, '.');
+  int length = (int)(dot ? dot - file : (long)strlen(file));
+  lam_map map = lam_net_map(in, lam_measure_find(task->map));
+  lam_model model = {.name = lam_arena_printf(session->arena, "%.*s", length, file),
+                     .net = &in->net->mesh,
+                     .map_count = 1,
+                     .maps = &map};
+  return lam_measure_map_write(&model, task->map_path, &session->errors);
+}
+
+static lam_status measure(lam_session *session, const lam_measure_task *task, lam_measured *out) {
+  lam_arena *arena = session->arena;
+  const lam_net_kind *kind = kind_of(session, task->as);
+  lam_net *net = LAM_NEW(arena, lam_net, 1);
+  check(session, task);
+  if (session->errors.count ||
+      !lam_net_build(arena, task->mesh, (lam_location){.file = task->name}, &session->errors, net))
+    return LAM_OK;
+
+  lam_measuring measuring = lam_measuring_of(arena, net, net->mesh.vertices);
+  if (!prepare(session, task, &measuring)) return LAM_OK;
+  if (task->map) {
+    lam_status status = write_map(session, task, &measuring);
+    if (status != LAM_OK) return status;
+  }
+  out->boundary_loops = net->loop_count;
+  out->irregular_vertices = net->irregular_count;
+  out->measures = lam_net_measure(&measuring, kind ? kind->measures : NULL, &out->measure_count);
+  return LAM_OK;
+}
+
+lam_status lam_measure_net(lam_session *session, const lam_measure_task *task,
+                           lam_measured *measured) {
+  *measured = (lam_measured){0};
+  LAM_ENTER(session);
+  return lam_session_leave(session, measure(session, task, measured));
+}
