@@ -1,5 +1,5 @@
 /* The list of constraints: net/net_keys.c looks up those that a design asks for, and the reference
- * pages are made from it (library/sections.c). To add one: write its file, and add its line here;
+ * pages are made from it (library/reference). To add one: write its file, and add its line here;
  * declare it in constraint.h when nets are made of it. */
 #include "con/constraint.h"
 

@@ -1,7 +1,7 @@
 /* Parts are made in the workshop: a row of the part registry reads the net (and parts made
  * before it) and adds parts, crossings and measures. One kind of part per file in fab/lamella
- * and fab/parts; the list is fab/parts/part_kinds.c. design/parts_stage.c opens the workshop,
- * runs the rows in the order of the design and hands the result to the writers. */
+ * and fab/parts; the list is fab/parts/part_kinds.c. design/pipeline_run.c opens the workshop and
+ * keeps what was made; design/parts_stage.c runs the rows in the order of the design. */
 #ifndef LAM_FAB_WORKSHOP_H
 #define LAM_FAB_WORKSHOP_H
 

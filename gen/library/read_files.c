@@ -20,7 +20,7 @@ static bool open_file(lam_arena *arena, const char *path, lam_content content, c
                       lam_errors *errors, opened *file) {
   *file = (opened){.format = lam_format_for(path), .location = {.file = path}};
   if (!file->format || !lam_format_reads(file->format, content)) {
-    lam_error_add(errors, file->location, NULL, "not a file of %s that is read; expected %s", noun,
+    lam_error_add(errors, file->location, NULL, "not a %s; expected %s", noun,
                   lam_format_endings(arena, content));
     return false;
   }
@@ -29,14 +29,14 @@ static bool open_file(lam_arena *arena, const char *path, lam_content content, c
 
 bool lam_input_mesh(lam_arena *arena, const char *path, lam_errors *errors, lam_mesh *mesh) {
   opened f;
-  return open_file(arena, path, LAM_CONTENT_MESH, "quads", errors, &f) &&
+  return open_file(arena, path, LAM_CONTENT_MESH, "file of quads", errors, &f) &&
          f.format->read_mesh(arena, f.bytes, f.count, f.location, errors, mesh);
 }
 
 bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors,
                          lam_trimesh *mesh) {
   opened f;
-  return open_file(arena, path, LAM_CONTENT_TRIANGLES, "a mesh", errors, &f) &&
+  return open_file(arena, path, LAM_CONTENT_TRIANGLES, "mesh file that is read", errors, &f) &&
          f.format->read_triangles(arena, f.bytes, f.count, f.location, errors, mesh);
 }
 
@@ -44,7 +44,7 @@ bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors 
                        lam_spline_surface *surface, const char **note) {
   opened f;
   lam_spline_list read;
-  if (!open_file(arena, path, LAM_CONTENT_SURFACES, "surfaces", errors, &f)) return false;
+  if (!open_file(arena, path, LAM_CONTENT_SURFACES, "file of surfaces", errors, &f)) return false;
   if (!f.format->read_surfaces(arena, f.bytes, f.count, f.location, errors, &read)) return false;
   if (face < 1 || face > read.count) {
     lam_error_add(errors, f.location, NULL,
@@ -61,7 +61,7 @@ bool lam_input_curves(lam_arena *arena, const char *path, lam_errors *errors, in
                       const lam_named_curve **curves) {
   opened f;
   lam_curve_list read;
-  if (!open_file(arena, path, LAM_CONTENT_CURVES, "curves", errors, &f)) return false;
+  if (!open_file(arena, path, LAM_CONTENT_CURVES, "file of curves", errors, &f)) return false;
   if (!f.format->read_curves(arena, f.bytes, f.count, f.location, errors, &read)) return false;
   *count = read.count;
   *curves = read.items;
@@ -72,7 +72,7 @@ bool lam_input_points(lam_arena *arena, const char *path, lam_errors *errors, in
                       const lam_vec3 **points) {
   opened f;
   lam_trimesh mesh;
-  if (!open_file(arena, path, LAM_CONTENT_POINTS, "points", errors, &f)) return false;
+  if (!open_file(arena, path, LAM_CONTENT_POINTS, "file of points", errors, &f)) return false;
   if (f.format->read_points)
     return f.format->read_points(arena, f.bytes, f.count, f.location, errors, count, points);
   if (!f.format->read_triangles(arena, f.bytes, f.count, f.location, errors, &mesh)) return false;

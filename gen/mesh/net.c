@@ -1,5 +1,5 @@
 /* Connectivity of a quad mesh: edges, one-rings and the two families. lam_net_build is called
- * wherever a mesh becomes a net (design/net_stage.c, net/multilevel.c, cli/verb_measure.c); lines,
+ * wherever a mesh becomes a net (design/net_stage.c, net/multilevel.c, library); lines,
  * stars and loops come from net_lines.c. The normals, mean edge and grids here serve all rooms. */
 #include "mesh/net.h"
 #include "mesh/net_lines.h"

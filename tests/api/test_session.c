@@ -1,6 +1,6 @@
 /* The face as a program sees it: sessions, messages, memory that runs out, the host's settings,
- * surfaces and nets of a program's own. Includes <lamella/*.h> alone, but for the allocator's test
- * hook. */
+ * surfaces and nets of a program's own. Includes the public headers alone, but for the allocator's
+ * test hook. */
 #include <lamella/lamella.h>
 
 #include <fenv.h>
@@ -121,8 +121,9 @@ static void designs_that_start_from_each_other_are_refused(void **state) {
   for (int i = 0; i < 2; i++) {
     char text[200];
     snprintf(path[i], sizeof path[i], "%s/%c.yaml", folder, 'a' + i);
-    snprintf(text, sizeof text, "lamella: 1\nname: %c\nnet: {kind: asymptotic, from: {design: %c}}\n",
-             'a' + i, 'b' - i);
+    snprintf(text, sizeof text,
+             "lamella: 1\nname: %c\nnet: {kind: asymptotic, from: {design: %c}}\n", 'a' + i,
+             'b' - i);
     write_text(path[i], text);
   }
 
@@ -167,7 +168,10 @@ static void memory_that_runs_out_is_a_status(void **state) {
 
   int failed = 0;
   for (long n = 0; n < 60; n++) {
+    const char *const finer[] = {"net.grid=[24, 24]"};
     lam_design_source source = source_of(small);
+    source.overrides = finer; /* its memory comes in more than a few blocks */
+    source.override_count = 1;
     const lam_design *design;
     const lam_model *model = NULL;
     lam_alloc_fail_after(n);
@@ -346,7 +350,7 @@ static void a_surface_of_ones_own_has_keys_and_a_net(void **state) {
   assert_true(jet.x.z == .5 * (.25 + 4) && jet.uu.z == 1);
 
   const lam_model *model = built(session, "{lamella: 1, name: b, surface: {kind: bowl, u: [-1, 1], "
-                                          "v: [-1, 1]}, net: {kind: planar-quads, grid: [6, 6]}}");
+                                          "v: [-1, 1]}, net: {kind: planar-quads, grid: [6, 6], from: {lines: natural}}}");
   assert_int_equal(model->net->vertex_count, 49);
   const char *page, *list;
   assert_int_equal(lam_reference_page(session, "bowl", &page), LAM_OK);
@@ -438,10 +442,8 @@ static void a_net_from_arrays_is_solved_and_measured(void **state) {
   lam_measure_task measuring = {.mesh = &solution.mesh, .as = "asymptotic"};
   lam_measured measured;
   assert_int_equal(lam_measure_net(session, &measuring, &measured), LAM_OK);
-  const lam_measure *own =
-      named(solution.measure_count, solution.measures, "star_planarity");
-  const lam_measure *again =
-      named(measured.measure_count, measured.measures, "star_planarity");
+  const lam_measure *own = named(solution.measure_count, solution.measures, "star_planarity");
+  const lam_measure *again = named(measured.measure_count, measured.measures, "star_planarity");
   assert_true(own->max < 1e-9);
   assert_true(own->max == again->max);
   assert_int_equal(measured.boundary_loops, 1);

@@ -88,20 +88,20 @@ if command -v convert >/dev/null; then
   ok "a picture is not compared with a mesh" complains 'a picture cannot be compared with a mesh'
   head -c 100 a.png >cut.png
   run diff a.png cut.png
-  ok "a picture cut off is told" complains '^lamella diff: cut.png: is not a readable PNG picture'
+  ok "a picture cut off is told" complains '^cut.png: is not a readable PNG picture'
 else
   for _ in 1 2 3 4 5 6 7 8 9 10; do skip convert; done
 fi
 
 run diff box.obj missing.stl
-ok "a missing file is told" complains '^lamella diff: missing.stl: cannot be opened: No such file or directory$'
+ok "a missing file is told" complains '^missing.stl: cannot be opened: No such file or directory$'
 echo 'v 0 0 x' >bad.obj
 run diff bad.obj missing.obj
 ok "both files' errors are told at once" test "$(wc -l <err)" -eq 2
 run diff box.obj
-ok "one file is not enough" complains '1 files given, 2 expected'
+ok "one file is not enough" complains 'diff: expected two files'
 run diff box.obj box.obj --tolerance much
-ok "a wrong tolerance is told" complains '"much" given'
+ok "a wrong tolerance is told" complains '--tolerance "much"; expected a number'
 run diff box.obj box.obj --tolerance
 ok "a missing value is told" complains '--tolerance needs a value'
 run diff --help

@@ -54,20 +54,20 @@ run inspect box.obj --json
 ok "options may follow the file" says 0 '"valid": true'
 
 run inspect missing.obj
-ok "a missing file is told" complains '^lamella inspect: missing.obj: cannot be opened: No such file or directory$'
+ok "a missing file is told" complains '^missing.obj: cannot be opened: No such file or directory$'
 printf 'v 0 0 0\nf 1 2 3\n' >bad.obj
 run inspect bad.obj
-ok "a bad file is told with its line" complains '^lamella inspect: bad.obj:2: face: vertex 2 given, but the file has 1$'
+ok "a bad file is told with its line" complains '^bad.obj:2: face: vertex 2 given, but the file has 1$'
 echo hello >notes.txt
 run inspect notes.txt
-ok "another kind of file is told" complains 'notes.txt: is not a mesh file'
+ok "another kind of file is told" complains '^notes.txt: not a mesh file that is read; expected .obj or .stl$'
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 2\n' >flat.obj
 run inspect flat.obj
 ok "a mesh without triangles is told" complains 'flat.obj: has no triangles'
 run inspect --jsn box.obj
 ok "an unknown option is told" complains -- '--jsn'
 run inspect
-ok "no file is told" complains '0 files given, 1 expected'
+ok "no file is told" complains 'inspect: expected a mesh file'
 run inspect --help
 ok "--help explains" says 0 '^usage: lamella inspect'
 echo "1..$number"

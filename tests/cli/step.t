@@ -366,7 +366,7 @@ check("the report says that an assembly places its components",
 
 wrong = []
 for text, message in (("missing.step", "surface.file: given missing.step; expected a file that can be read"),
-                      ("saddle.yaml", "saddle.yaml: not a file of surfaces; expected .step, .stp, .igs, .iges, .json or .obj"),
+                      ("saddle.yaml", "saddle.yaml: not a file of surfaces; expected .obj, .json, .step, .stp, .igs or .iges"),
                       ("saddle/saddle.step, face: 2", "saddle.step: face 2 asked for, but the file has 1 B-spline surface"),
                       ("cut.step", "cut.step:9: is cut off: END-ISO-10303-21 expected"),
                       ("lines/lines.igs, kind: coons", "file: lines/lines.igs has 12 curves; expected four, or pick: with the numbers of four"),

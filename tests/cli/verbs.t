@@ -127,7 +127,7 @@ run check other.yaml --set net.gird=3 --set 'parts[0].height=3'
   grep -q '^--set parts\[0\].height: given 3; expected a length' "$scratch/err"
 ok "messages about overrides name the override, all at once"
 run check other.yaml --set
-refused_with '--set without KEY=VALUE'; ok "--set needs a value"
+refused_with 'check: --set needs a value'; ok "--set needs a value"
 run check other.yaml --set render.setting=moon
 refused_with '--set render.setting: given moon; expected the name of a file in templates/pov'; ok "an unknown setting is refused"
 run check nowhere.yaml

@@ -2,17 +2,17 @@
  * curvature of the surface that a net lies on. */
 #include "net_fixture.h"
 
-#include "tests/unit/design_fixture.h"
 #include "formats/format.h"
 #include "formats/plot/color_scale.h"
 #include "net/measures/layout.h"
 #include "net/measures/measure_map.h"
 #include "surf/spline/spline_surface.h"
+#include "tests/unit/design_fixture.h"
 
 extern const lam_format lam_format_plot, lam_format_plot_gltf;
 
 static lam_measure measured(net_fixture *f, const lam_mesh *mesh, const char *name) {
-  lam_net net = net_design_built(f->arena, mesh);
+  lam_net net = net_built(f, mesh);
   return lam_net_measure_one(f->arena, &net, net.mesh.vertices, name);
 }
 
@@ -117,9 +117,9 @@ static void parameter_distortion_is_that_of_the_derivatives(void **state) {
  * the net with. */
 static void maps_are_compared_on_one_scale(void **state) {
   net_fixture *f = *state;
-  const char *const plots = {
-      "plots=[flattening_distortion, parameter_distortion, gauss_curvature]"};
-  lam_model model = design_built(f->arena, "templates/designs/distortion-comparison.yaml", 1, &plots);
+  const char *const plots = "plots=[flattening_distortion, parameter_distortion, gauss_curvature]";
+  lam_model model =
+      design_built(f->arena, "templates/designs/distortion-comparison.yaml", 1, &plots);
   const lam_map *m = model.maps;
   assert_true(m[0].range[0] == fmin(m[0].summary.min, m[1].summary.min));
   assert_true(m[0].range[1] == fmax(m[0].summary.max, m[1].summary.max));
@@ -149,10 +149,11 @@ static void the_curvature_of_the_surface_is_that_of_its_size(void **state) {
   net_fixture *f = *state;
   static const char path[] = "templates/designs/li-deng-general.yaml";
   const char *const at_4[] = {"surface.size=4 m", "surface.rotate=[30 deg, 0, 0]"},
-                     at_8 = {"surface.size=8 m"};
+                    *const at_8[] = {"surface.size=8 m"};
   double K[3];
-  lam_model models[3] = {design_built(f->arena, path, 0, NULL), design_built(f->arena, path, 1, at_4),
-                         design_built(f->arena, path, 1, &at_8)};
+  lam_model models[3] = {design_built(f->arena, path, 0, NULL),
+                         design_built(f->arena, path, 1, at_4),
+                         design_built(f->arena, path, 1, at_8)};
   for (int k = 0; k < 3; k++) {
     assert_string_equal(models[k].maps[0].summary.name, "surface_gauss_curvature");
     assert_int_equal(models[k].maps[0].summary.count, 33 * 33);
@@ -167,7 +168,7 @@ static void the_curvature_of_the_surface_is_that_of_its_size(void **state) {
 static void a_moved_net_has_no_surface(void **state) {
   net_fixture *f = *state;
   const char *const moved[] = {"net={kind: free, grid: [8, 8], noise: 0.1}"},
-                     kept[] = {{"net={kind: free, grid: [8, 8]}"}};
+                    *const kept[] = {"net={kind: free, grid: [8, 8]}"};
   static const char path[] = "templates/designs/li-deng-general.yaml";
   assert_int_equal(design_built(f->arena, path, 1, kept).maps[0].summary.count, 81);
   assert_int_equal(design_built(f->arena, path, 1, moved).maps[0].summary.count, 0);

@@ -1,6 +1,7 @@
 /* Reading and writing spline surfaces: STEP, IGES, surface.json, OBJ. What OpenCASCADE reads is in
  * tests/cli/step.t. */
 #include "files_fixture.h"
+#include "formats/list/formats.h"
 #include "formats/spline/curves.h"
 #include "others_fixture.h"
 #include "surf/spline/spline_surface.h"
