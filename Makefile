@@ -38,7 +38,7 @@ shims   := $(wildcard gen/*/*_shim.cc gen/*/*/*_shim.cc formats/*/*_shim.cc)
 # the shims hold CGAL, whose minutes under a sanitizer find nothing of ours: all configurations share them
 lib_obj := $(lib_src:%.c=$(out)/obj/%.o) $(shims:%.cc=build/obj/%.o)
 cli_obj := $(cli_src:%.c=$(out)/obj/%.o)
-tests   := $(patsubst tests/%.c,$(out)/tests/%,$(wildcard tests/unit/test_*.c tests/api/test_*.c tests/torture/*.c))
+tests   := $(patsubst tests/%.c,$(out)/tests/%,$(wildcard tests/unit/*/test_*.c tests/api/test_*.c tests/torture/*.c))
 designs := $(patsubst templates/designs/%.yaml,%,$(wildcard templates/designs/*.yaml))
 gallery := $(designs:%=renders/gallery/%.jpg)
 

@@ -78,7 +78,7 @@ lam_status lam_image_write(const char *path, const lam_image *image, lam_errors 
   size_t size;
   if (!lam_image_encode(errors->arena, image, &bytes, &size)) {
     lam_error_add(errors, (lam_location){.file = path}, NULL, "cannot be written: libpng failed");
-    return LAM_FAILED;
+    return errors->status = LAM_FAILED;
   }
   return lam_file_write_atomic(path, bytes, size, errors);
 }

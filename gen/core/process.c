@@ -49,7 +49,8 @@ bool lam_process_exists(const char *program) {
   return false;
 }
 
-/* Says that the program is not installed, and in which package it is when the caller knows. */
+/* Says that the program is not installed, and in which package it is when the caller knows. Returns
+ * the status, which is that of the errors too. */
 static lam_status report_missing(const lam_process *process, lam_errors *errors) {
   const char *program = process->arguments[0];
   if (process->package) {
@@ -58,7 +59,7 @@ static lam_status report_missing(const lam_process *process, lam_errors *errors)
   } else {
     lam_error_add(errors, nowhere, NULL, "%s is not installed", program);
   }
-  return LAM_MISSING_PROGRAM;
+  return errors->status = LAM_MISSING_PROGRAM;
 }
 
 /* ---- environment ---- */
@@ -163,7 +164,7 @@ static bool wait_for(pid_t pid, double deadline, int *status) {
 /* Says why the program cannot be started. */
 static lam_status fail_to_start(lam_errors *errors, const char *program, int reason) {
   lam_error_add(errors, nowhere, NULL, "%s: cannot be started: %s", program, strerror(reason));
-  return LAM_IO;
+  return errors->status = LAM_IO;
 }
 
 /* Whether the folder to start in is there; a message otherwise. */
@@ -174,6 +175,7 @@ static bool check_directory(const lam_process *process, lam_errors *errors) {
 
   lam_error_add(errors, nowhere, NULL, "%s: no such folder to run %s in", process->directory,
                 process->arguments[0]);
+  errors->status = LAM_IO;
   return false;
 }
 
@@ -210,7 +212,7 @@ lam_status lam_process_run(const lam_process *process, int *exit_code, lam_error
     kill(-pid, SIGKILL);
     wait_for(pid, 0, &status);
     lam_error_add(errors, nowhere, NULL, "%s: stopped after %g s", program, process->timeout);
-    return LAM_FAILED;
+    return errors->status = LAM_FAILED;
   }
 
   if (exit_code) *exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
