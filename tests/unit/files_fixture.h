@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "formats/format.h"
+#include "tests/unit/asserts.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,11 +23,6 @@ static inline int set_up(void **state) { return (*state = lam_arena_new()) == NU
 static inline int tear_down(void **state) {
   lam_arena_free(*state);
   return 0;
-}
-
-static inline void assert_near(double value, double expected, double tolerance, const char *what) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%s: %.17g, expected %.17g +- %.1e", what, value, expected, tolerance);
 }
 
 /* ---- surfaces ---- */

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "tests/unit/asserts.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -50,7 +51,6 @@ static const char *messages(run *r) {
   return text.data;
 }
 
-#define ASSERT_EXACT(a, b) assert_true((a) == (b))
 #define TEST(name) cmocka_unit_test_setup_teardown(name, begin, end)
 
 #endif

@@ -4,14 +4,7 @@
 
 #include "core/numbers.h"
 #include "core/solid/triangles.h"
-
-/* Fails with both values when they differ by more than the tolerance. */
-#define assert_near(value, expected, tolerance)                                                    \
-  do {                                                                                             \
-    double value_ = (value), expected_ = (expected);                                               \
-    if (!(fabs(value_ - expected_) <= (tolerance)))                                                \
-      fail_msg("%s is %.17g, not %.17g", #value, value_, expected_);                               \
-  } while (0)
+#include "tests/unit/asserts.h"
 
 static const double mesh_pi = LAM_PI;
 

@@ -6,6 +6,7 @@
 #include "design/design.h"
 #include "net/net_kind.h"
 #include "net/trace/start.h"
+#include "tests/unit/asserts.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -16,20 +17,6 @@
 #include <cmocka.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Fails with both values when they differ by more than the tolerance (NaN fails too). */
-#define assert_near(value, expected, tolerance)                                                    \
-  do {                                                                                             \
-    double value_ = (value), expected_ = (expected);                                               \
-    if (!(fabs(value_ - expected_) <= (tolerance)))                                                \
-      fail_msg("%s is %.17g, expected %.17g within %g", #value, value_, expected_,                 \
-               (double)(tolerance));                                                               \
-  } while (0)
-#define assert_below(value, limit)                                                                 \
-  do {                                                                                             \
-    double value_ = (value), limit_ = (limit);                                                     \
-    if (!(value_ <= limit_)) fail_msg("%s is %.17g, expected at most %g", #value, value_, limit_); \
-  } while (0)
 
 static const double net_pi = LAM_PI;
 

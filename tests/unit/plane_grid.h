@@ -6,16 +6,7 @@
 
 #include "fab/lamella/lamella_flat.h"
 #include "fab/lamella/lamella_make.h"
-
-/* For cmocka tests: doubles within tolerance (cmocka's own comparison rounds to float). Include
- * cmocka.h first. */
-#define assert_near(value, expected, tolerance)                                                    \
-  do {                                                                                             \
-    double value_ = (value), expected_ = (expected);                                               \
-    if (!(fabs(value_ - expected_) <= (tolerance)))                                                \
-      fail_msg("%s is %.17g, expected %.17g within %g", #value, value_, expected_,                 \
-               (double)(tolerance));                                                               \
-  } while (0)
+#include "tests/unit/asserts.h"
 
 static inline lam_station plane_station(lam_vec3 origin, lam_vec3 t, double s) {
   return (lam_station){

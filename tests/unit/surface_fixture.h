@@ -69,8 +69,8 @@ static inline lam_surface made(lam_fixture *f, const char *name, const char *tex
   return surface;
 }
 
-static inline void assert_near(double value, double expected, double tolerance, const char *name,
-                               const char *what, double p, double q) {
+static inline void assert_near_at(double value, double expected, double tolerance, const char *name,
+                                  const char *what, double p, double q) {
   if (fabs(value - expected) <= tolerance) return;
   fail_msg("%s, %s at (%.6f, %.6f): %.12g, expected %.12g +- %.1e", name, what, p, q, value,
            expected, tolerance);
@@ -78,8 +78,8 @@ static inline void assert_near(double value, double expected, double tolerance, 
 
 static inline void assert_near3(lam_vec3 value, lam_vec3 expected, double tolerance,
                                 const char *name, const char *what, double p, double q) {
-  assert_near(lam_distance(value, expected), 0, tolerance * (1 + lam_length(expected)), name, what,
-              p, q);
+  assert_near_at(lam_distance(value, expected), 0, tolerance * (1 + lam_length(expected)), name,
+                 what, p, q);
 }
 
 /* Central differences, extrapolated to an error of order h^6. */

@@ -1,7 +1,8 @@
-/* What every public header starts from: version, export and linkage. */
+/* What every public header starts from: version, export and linkage. Included by all of them. */
 #ifndef LAMELLA_API_H
 #define LAMELLA_API_H
 
+/* The version of these headers; lam_version() is that of the library that runs. */
 #define LAM_VERSION_MAJOR 0
 #define LAM_VERSION_MINOR 1
 #define LAM_VERSION_PATCH 0
@@ -16,6 +17,7 @@
 #define LAM_API
 #endif
 
+/* Around the declarations of a header: C++ programs see C functions. */
 #ifdef __cplusplus
 #define LAM_BEGIN_DECLS extern "C" {
 #define LAM_END_DECLS }

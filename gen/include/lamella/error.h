@@ -1,5 +1,5 @@
 /* Statuses and messages. Every function that can fail returns a status; what a person should read
- * about it stands in the session's messages. */
+ * about it stands in the session's messages (lam_session_messages). */
 #ifndef LAMELLA_ERROR_H
 #define LAMELLA_ERROR_H
 
@@ -23,19 +23,20 @@ typedef struct lam_location {
   int line, column;
 } lam_location;
 
-/* One message: a line for a person. */
+/* One message: a line for a person, without a newline. Owned by the session. */
 typedef struct lam_error {
   lam_location location;
   const char *key;  /* dotted path in a design, such as parts[0].height; NULL when none applies */
-  const char *text; /* what was given, what is expected */
+  const char *text; /* what was given, what is expected; never NULL */
   struct lam_error *next; /* the next message, or NULL */
 } lam_error;
 
-/* A word for a status: "bad input". A static text. */
+/* A few words for a status, such as "bad input"; "unknown status" for other numbers. A static text.
+ * Any thread. */
 LAM_API const char *lam_status_text(lam_status status);
 
-/* The entry of names (a NULL-terminated list) that given is nearest to, or NULL when none is close
- * enough to suggest. */
+/* The entry of names that is nearest to given (few letters differ, case ignored, or given is its
+ * beginning), for a suggestion; NULL when none is near. names: NULL-terminated. Any thread. */
 LAM_API const char *lam_did_you_mean(const char *given, const char *const *names);
 
 LAM_END_DECLS

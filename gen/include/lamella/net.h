@@ -20,8 +20,8 @@ typedef struct lam_net_solution {
   bool converged;     /* proven by the measures of the kind, and not degenerate */
   const char *reason; /* why it stopped, in words */
   int iterations;
-  double residual;  /* largest, in mean edges or radians */
-  lam_mesh mesh;    /* the same faces; vertices in meters */
+  double residual; /* largest, in mean edges or radians */
+  lam_mesh mesh;   /* the same faces; vertices in meters */
   int polyline_count;
   const lam_polyline *polylines; /* of both families */
   int measure_count;
@@ -37,15 +37,15 @@ LAM_API lam_status lam_net_solve(lam_session *session, const lam_net_task *task,
 /* What is measured. Zeroed, with a mesh, it is every measure but the slow ones, angles against 90
  * degrees. */
 typedef struct lam_measure_task {
-  const lam_mesh *mesh; /* quads, vertices in meters */
-  const char *name;     /* of the mesh, for messages and maps; NULL: none */
-  const char *as;       /* only the measures that prove this kind of net; NULL: all */
-  double angle;         /* crossing angle of angle_deviation, radians; 0: a right angle */
+  const lam_mesh *mesh;         /* quads, vertices in meters */
+  const char *name;             /* of the mesh, for messages and maps; NULL: none */
+  const char *as;               /* only the measures that prove this kind of net; NULL: all */
+  double angle;                 /* crossing angle of angle_deviation, radians; 0: a right angle */
   const lam_trimesh *reference; /* mesh that distances are measured to; NULL: none */
-  const double *axis;           /* point (meters) and direction of the axis of a surface of revolution: 6
+  const double *axis;   /* point (meters) and direction of the axis of a surface of revolution: 6
                                    numbers; NULL: none */
-  const char *map;              /* a measure to be drawn as a color map; NULL: none */
-  const char *map_path;         /* its file: .svg, .png or .glb */
+  const char *map;      /* a measure to be drawn as a color map; NULL: none */
+  const char *map_path; /* its file: .svg, .png or .glb */
 } lam_measure_task;
 
 typedef struct lam_measured {

@@ -42,11 +42,11 @@ LAM_API lam_status lam_compare_meshes(lam_session *session, const char *a, const
 enum { LAM_PIXEL_STEP = 4 };
 typedef struct lam_picture_comparison {
   int width[2], height[2];
-  uint64_t hash[2];    /* FNV-1a of size and decoded pixels: equal for the same picture */
-  bool same_size;      /* what follows is meaningful then */
-  double share;        /* of the pixels that differ, 0 to 1 */
-  int largest;         /* difference of a channel, 0 to 255 */
-  double psnr;         /* dB; infinite when equal */
+  uint64_t hash[2]; /* FNV-1a of size and decoded pixels: equal for the same picture */
+  bool same_size;   /* what follows is meaningful then */
+  double share;     /* of the pixels that differ, 0 to 1 */
+  int largest;      /* difference of a channel, 0 to 255 */
+  double psnr;      /* dB; infinite when equal */
 } lam_picture_comparison;
 /* mask: NULL, or where to write a picture with the differing pixels in red. */
 LAM_API lam_status lam_compare_pictures(lam_session *session, const char *a, const char *b,

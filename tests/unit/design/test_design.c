@@ -14,10 +14,8 @@ static const char desk_model[] = "lamella: 1\n"
                                  "  - {kind: lamella, height: 20 mm, thickness: 1 mm}\n";
 
 static bool parse_desk(run *r, const char *const *texts, lam_design *design) {
-  lam_design_text text = {.bytes = desk_model,
-                          .count = sizeof desk_model - 1,
-                          .path = "desk.yaml",
-                          .overrides = texts};
+  lam_design_text text = {
+      .bytes = desk_model, .count = sizeof desk_model - 1, .path = "desk.yaml", .overrides = texts};
   while (texts && texts[text.override_count]) text.override_count++;
   return lam_design_parse(r->arena, &text, &r->errors, design);
 }

@@ -1,14 +1,10 @@
 /* Bars: sections, miters, mass, names; and convex solids cut by planes. */
 #include "fab_fixture.h"
+#include "tests/unit/asserts.h"
 
 #include "core/solid/convex.h"
 #include "core/solid/solid.h"
 #include "core/solid/triangles.h"
-
-static void assert_close(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%.12g, expected %.12g +- %g", value, expected, tolerance);
-}
 
 static void assert_solid(const lam_trimesh *solid) {
   lam_solid_facts facts;
@@ -37,7 +33,7 @@ static void a_cube_loses_its_corner(void **state) {
     lam_convex_cut(&cube, lam_v3(offsets[i], 0, 0), normal);
     lam_trimesh mesh = lam_convex_mesh(*state, &cube);
     assert_solid(&mesh);
-    assert_close(lam_trimesh_volume(&mesh), volumes[i], 1e-12);
+    assert_near(lam_trimesh_volume(&mesh), volumes[i], 1e-12);
   }
   lam_convex cube = unit_cube(*state);
   lam_convex_cut(&cube, lam_v3(3.1, 0, 0), normal);
@@ -55,7 +51,7 @@ static void cuts_follow_one_another(void **state) {
     lam_convex_cut(&cube, lam_v3(0.5, 0.5, 0.5), lam_unit(normals[i]));
     lam_trimesh mesh = lam_convex_mesh(*state, &cube);
     assert_solid(&mesh);
-    assert_close(lam_trimesh_volume(&mesh), volumes[i], 1e-12);
+    assert_near(lam_trimesh_volume(&mesh), volumes[i], 1e-12);
   }
 }
 
@@ -95,12 +91,12 @@ static void bars_end_at_their_nodes(void **state) {
     for (int i = 0; i < 20; i++) {
       double length = lam_trimesh_volume(&shop.parts[i].solid) / areas[profile];
       assert_solid(&shop.parts[i].solid);
-      assert_close(shop.parts[i].length, 0.5, 1e-12);
+      assert_near(shop.parts[i].length, 0.5, 1e-12);
       least = fmin(least, length);
       most = fmax(most, length);
     }
-    assert_close(least, 0.49, 1e-9);
-    assert_close(most, 0.495, 1e-9);
+    assert_near(least, 0.49, 1e-9);
+    assert_near(most, 0.495, 1e-9);
   }
 }
 
@@ -135,9 +131,9 @@ static void no_two_bars_overlap(void **state) {
     assert_int_equal(shop.part_count, 7 * 7 + 8 * 6);
     for (int i = 0; i < shop.part_count; i++) assert_solid(&shop.parts[i].solid);
     lam_workshop_clash(&shop);
-    assert_close(fixture_measure(&shop, "clash", "clash_count")->max, 0, 0);
+    assert_near(fixture_measure(&shop, "clash", "clash_count")->max, 0, 0);
     assert_true(fixture_measure(&shop, "clash", "pairs_checked")->max > 200);
-    assert_close(fixture_measure(&shop, "bars", "unsound_bars")->max, 0, 0);
+    assert_near(fixture_measure(&shop, "bars", "unsound_bars")->max, 0, 0);
   }
 }
 
@@ -155,10 +151,10 @@ static void choices_and_mass(void **state) {
       keys.wall = tube ? 0.005 : 0;
       fixture_make(&shop, "bars", &keys);
       assert_int_equal(shop.part_count, expected[edges]);
-      assert_close(fixture_measure(&shop, "bars", "distinct_lengths")->max, 1, 0);
+      assert_near(fixture_measure(&shop, "bars", "distinct_lengths")->max, 1, 0);
       mass[tube] = fixture_measure(&shop, "bars", "bar_mass_sum")->max;
     }
-    assert_close(mass[1] / mass[0], 1 - 25. / 36, 1e-12);
+    assert_near(mass[1] / mass[0], 1 - 25. / 36, 1e-12);
   }
 }
 

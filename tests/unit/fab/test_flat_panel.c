@@ -2,8 +2,8 @@
 #include "core/error.h"
 #include "core/numbers.h"
 #include "design/design.h"
-#include "tests/unit/design_fixture.h"
 #include "surf/spline/spline_surface.h"
+#include "tests/unit/design_fixture.h"
 
 #include <math.h>
 #include <setjmp.h>

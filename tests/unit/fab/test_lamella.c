@@ -3,13 +3,9 @@
 #include "core/solid/solid.h"
 #include "core/solid/triangles.h"
 #include "fab_fixture.h"
+#include "tests/unit/asserts.h"
 
 static const double H = 0.1, T = 0.002, C = 0.00025; /* fixture_keys */
-
-static void assert_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
-}
 
 /* 4 x 5 vertices, 1 m apart: five lines of family 0 along x, four of family 1 along y. */
 static lam_vec3 plane_point(double u, double v) { return lam_v3(1.5 * u, 2 * v, 0); }

@@ -3,11 +3,7 @@
 #include "core/solid/solid.h"
 #include "core/solid/triangles.h"
 #include "fab_fixture.h"
-
-static void assert_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
-}
+#include "tests/unit/asserts.h"
 
 static double measured(const lam_workshop *shop, const char *stage, const char *name) {
   return fixture_measure(shop, stage, name)->max;

@@ -1,5 +1,6 @@
 /* Panels: gap, thickness, flat patterns, twisted faces, patterns of faces, equal plates. */
 #include "fab_fixture.h"
+#include "tests/unit/asserts.h"
 
 #include "core/solid/solid.h"
 #include "core/solid/triangles.h"
@@ -7,11 +8,6 @@
 #include "fab/parts/panel.h"
 
 static const lam_panel_layer layer = {0, 0.02, 0.03, 1e-3}; /* 20 mm outward, 30 mm apart */
-
-static void assert_close(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%.12g, expected %.12g +- %g", value, expected, tolerance);
-}
 
 /* A roof over [-1, 1]^2 that falls by `slope` to both sides of the ridge u = 0: all faces are flat.
  */
@@ -73,7 +69,7 @@ static void the_gap_is_the_same_at_every_fold(void **state) {
                   b = lam_panel_solid(*state, &panels[1], &l);
       assert_solid(&a);
       assert_solid(&b);
-      assert_close(distance_between(&a, &b), 0.03, 1e-12);
+      assert_near(distance_between(&a, &b), 0.03, 1e-12);
     }
 }
 
@@ -89,11 +85,11 @@ static void plates_are_as_thick_and_large_as_they_must_be(void **state) {
     lam_trimesh solid = lam_panel_solid(*state, &panels[faces[k]], &layer);
     lam_vec3 min, max;
     assert_solid(&solid);
-    assert_close(lam_trimesh_volume(&solid), sides[k] * sides[k] * 0.02, 1e-12);
+    assert_near(lam_trimesh_volume(&solid), sides[k] * sides[k] * 0.02, 1e-12);
     lam_points_bounds(solid.vertices, solid.vertex_count, &min, &max);
-    assert_close(min.z, 0, 1e-12);
-    assert_close(max.z, 0.02, 1e-12);
-    assert_close(max.x - min.x, sides[k], 1e-12);
+    assert_near(min.z, 0, 1e-12);
+    assert_near(max.z, 0.02, 1e-12);
+    assert_near(max.x - min.x, sides[k], 1e-12);
   }
 }
 
@@ -114,19 +110,19 @@ static void the_flat_pattern_is_the_plate(void **state) {
     for (int i = 0; i < 4; i++)
       for (int j = 0; j < i; j++) {
         lam_vec2 a = outline->points[i], b = outline->points[j];
-        assert_close(hypot(a.x - b.x, a.y - b.y),
-                     lam_distance(panels[f].corner[i], panels[f].corner[j]), 1e-12);
+        assert_near(hypot(a.x - b.x, a.y - b.y),
+                    lam_distance(panels[f].corner[i], panels[f].corner[j]), 1e-12);
       }
     lam_trimesh solid = lam_panel_solid(*state, &panels[f], &layer);
-    assert_close(lam_path_area(outline) * 0.02, lam_trimesh_volume(&solid), 1e-12);
-    assert_close(flat->thickness, 0.02, 1e-15);
+    assert_near(lam_path_area(outline) * 0.02, lam_trimesh_volume(&solid), 1e-12);
+    assert_near(flat->thickness, 0.02, 1e-15);
     assert_true(flat->path_count > 1);
     for (int i = 1; i < flat->path_count; i++)
       assert_int_equal(flat->paths[i].layer, LAM_LAYER_LABEL);
     lam_vec2 min, max;
     lam_paths_bounds(outline, 1, &min, &max);
-    assert_close(flat->max.x - flat->min.x, max.x - min.x, 1e-12);
-    assert_close(flat->max.y - flat->min.y, max.y - min.y, 1e-12);
+    assert_near(flat->max.x - flat->min.x, max.x - min.x, 1e-12);
+    assert_near(flat->max.y - flat->min.y, max.y - min.y, 1e-12);
   }
 }
 
@@ -154,17 +150,17 @@ static void twisted_faces_are_solids_without_pattern(void **state) {
   keys.gap = 0.001;
   fixture_make(&shop, "panels", &keys);
   assert_int_equal(shop.part_count, 64);
-  assert_close(fixture_measure(&shop, "panels", "twisted_panels")->max, 64, 0);
-  assert_close(fixture_measure(&shop, "panels", "unsound_panels")->max, 0, 0);
+  assert_near(fixture_measure(&shop, "panels", "twisted_panels")->max, 64, 0);
+  assert_near(fixture_measure(&shop, "panels", "unsound_panels")->max, 0, 0);
   for (int i = 0; i < 64; i++) {
     assert_null(shop.parts[i].flat);
     assert_int_equal(shop.parts[i].congruence, 0);
     assert_solid(&shop.parts[i].solid);
   }
-  assert_close(fixture_measure(&shop, "panels", "warp")->max, 6.25 / sqrt(1 + 2 * 0.025 * 0.025),
-               1e-9);
+  assert_near(fixture_measure(&shop, "panels", "warp")->max, 6.25 / sqrt(1 + 2 * 0.025 * 0.025),
+              1e-9);
   lam_workshop_clash(&shop);
-  assert_close(fixture_measure(&shop, "clash", "clash_count")->max, 0, 0);
+  assert_near(fixture_measure(&shop, "clash", "clash_count")->max, 0, 0);
   assert_true(fixture_measure(&shop, "clash", "pairs_checked")->max > 50);
 }
 
@@ -204,9 +200,9 @@ static void equal_plates_and_mass(void **state) {
   lam_workshop shop = fixture_workshop(*state, &mesh);
   panels_keys keys = row_keys(ALL);
   fixture_make(&shop, "panels", &keys);
-  assert_close(fixture_measure(&shop, "panels", "distinct_panels")->max, 3, 0);
-  assert_close(fixture_measure(&shop, "panels", "panel_mass_sum")->max,
-               pow(2 * (0.485 + 0.47), 2) * 0.02 * lam_materials[0].density, 1e-9);
+  assert_near(fixture_measure(&shop, "panels", "distinct_panels")->max, 3, 0);
+  assert_near(fixture_measure(&shop, "panels", "panel_mass_sum")->max,
+              pow(2 * (0.485 + 0.47), 2) * 0.02 * lam_materials[0].density, 1e-9);
   assert_int_equal(shop.parts[0].congruence, shop.parts[3].congruence);
   assert_int_equal(shop.parts[1].congruence,
                    shop.parts[4].congruence); /* one is the other turned */

@@ -2,18 +2,11 @@
  * sizes in closed form, no overlap. */
 #include "core/numbers.h"
 #include "fab_fixture.h"
+#include "tests/unit/asserts.h"
 
 #include "core/solid/solid.h"
 #include "design/design.h"
 #include "fab/flat/path.h"
-
-#define assert_near(value, expected, tolerance)                                                    \
-  do {                                                                                             \
-    double value_ = (value), expected_ = (expected);                                               \
-    if (!(fabs(value_ - expected_) <= (tolerance)))                                                \
-      fail_msg("%s is %.17g, expected %.17g within %g", #value, value_, expected_,                 \
-               (double)(tolerance));                                                               \
-  } while (0)
 
 static void make(lam_workshop *shop, const char *kind, const char *text) {
   const lam_part_kind *row = (const lam_part_kind *)lam_registry_find(&lam_part_kinds, kind);

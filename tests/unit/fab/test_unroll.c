@@ -2,13 +2,9 @@
 #include "core/numbers.h"
 #include "fab/flat/unroll.h"
 #include "fab_fixture.h"
+#include "tests/unit/asserts.h"
 
 enum { n = 25 };
-
-static void assert_near(double value, double expected, double tolerance) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%.17g, expected %.17g within %g", value, expected, tolerance);
-}
 
 /* Planes through one straight line: the line stays straight, whatever the twist; all three ways
  * agree on its length. */

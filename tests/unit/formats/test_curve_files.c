@@ -46,8 +46,8 @@ static void assert_same_curve(const lam_spline_curve *a, const lam_spline_curve 
   assert_int_equal(a->weights != NULL, b->weights != NULL);
   for (int i = 0; i < a->count + a->degree + 1; i++) assert_true(a->knots[i] == b->knots[i]);
   for (int i = 0; i < a->count; i++) {
-    assert_near(lam_distance(a->points[i], b->points[i]), 0, 1e-15 * lam_length(b->points[i]),
-                what);
+    assert_near_named(lam_distance(a->points[i], b->points[i]), 0, 1e-15 * lam_length(b->points[i]),
+                      what);
     if (a->weights) assert_true(a->weights[i] == b->weights[i]);
   }
 }
@@ -127,7 +127,7 @@ static void sides_of_a_face_are_curves(void **state) {
                1e-9) +
               (lam_distance(end_of(&list.items[i].spline), end_of(&list.items[k].spline)) < 1e-9) +
               (lam_distance(end_of(&list.items[i].spline), start_of(&list.items[k].spline)) < 1e-9);
-    assert_near(ends, 8, 0, "ends that meet, counted from both");
+    assert_near_named(ends, 8, 0, "ends that meet, counted from both");
   }
 }
 
@@ -189,36 +189,39 @@ static void step_curves_of_others_are_read(void **state) {
   assert_place(start_of(&c[0]), 0, 2, 1, "chord");
   assert_place(end_of(&c[0]), 2, 0, 1, "chord");
   /* the circle from (2,0,1), counterclockwise over (0,2,1)'s quarter: the edge runs against it */
-  assert_near(lam_distance(start_of(&c[1]), lam_v3(2, 0, 1)), 0, 1e-15, "arc");
-  assert_near(lam_distance(end_of(&c[1]), lam_v3(0, 2, 1)), 0, 1e-15, "arc");
+  assert_near_named(lam_distance(start_of(&c[1]), lam_v3(2, 0, 1)), 0, 1e-15, "arc");
+  assert_near_named(lam_distance(end_of(&c[1]), lam_v3(0, 2, 1)), 0, 1e-15, "arc");
   for (int i = 0; i <= 20; i++)
-    assert_near(
+    assert_near_named(
         lam_distance(
             point_at(&c[1], c[1].knots[2] + i / 20.0 * (c[1].knots[c[1].count] - c[1].knots[2])),
             lam_v3(0, 0, 1)),
         2, 1e-15, "radius");
   lam_curve arc = lam_curve_of_spline(*state, &c[1]), half = lam_curve_of_spline(*state, &c[3]);
-  assert_near(lam_curve_length(&arc, arc.from, arc.to, 1e-12), LAM_PI, 1e-12,
-              "a quarter of a circle of radius 2");
-  assert_near(lam_distance(start_of(&c[2]), lam_v3(1, 0, 0)), 0, 1e-15, "cut at the vertices");
-  assert_near(lam_distance(end_of(&c[2]), lam_v3(2, 0, 0)), 0, 1e-15, "cut at the vertices");
-  assert_near(lam_curve_length(&half, half.from, half.to, 1e-12), 2 * LAM_PI, 1e-12,
-              "half of a circle");
-  assert_near(lam_distance(start_of(&c[3]), lam_v3(-2, 0, 1)), 0, 1e-15,
-              "90 degrees from the y axis");
+  assert_near_named(lam_curve_length(&arc, arc.from, arc.to, 1e-12), LAM_PI, 1e-12,
+                    "a quarter of a circle of radius 2");
+  assert_near_named(lam_distance(start_of(&c[2]), lam_v3(1, 0, 0)), 0, 1e-15,
+                    "cut at the vertices");
+  assert_near_named(lam_distance(end_of(&c[2]), lam_v3(2, 0, 0)), 0, 1e-15, "cut at the vertices");
+  assert_near_named(lam_curve_length(&half, half.from, half.to, 1e-12), 2 * LAM_PI, 1e-12,
+                    "half of a circle");
+  assert_near_named(lam_distance(start_of(&c[3]), lam_v3(-2, 0, 1)), 0, 1e-15,
+                    "90 degrees from the y axis");
   double h = sqrt(0.5);
-  assert_near(lam_distance(start_of(&c[4]), lam_v3(h, 2 - h, 1)), 0, 1e-15,
-              "one step along the line");
-  assert_near(lam_distance(end_of(&c[4]), lam_v3(2 * h, 2 - 2 * h, 1)), 0, 1e-15, "two steps");
-  assert_near(lam_distance(end_of(&c[5]), lam_v3(1, 0, 0)), 0, 1e-15, "trimmed by parameters");
+  assert_near_named(lam_distance(start_of(&c[4]), lam_v3(h, 2 - h, 1)), 0, 1e-15,
+                    "one step along the line");
+  assert_near_named(lam_distance(end_of(&c[4]), lam_v3(2 * h, 2 - 2 * h, 1)), 0, 1e-15,
+                    "two steps");
+  assert_near_named(lam_distance(end_of(&c[5]), lam_v3(1, 0, 0)), 0, 1e-15,
+                    "trimmed by parameters");
   const lam_spline_curve *oval = &list.items[7].spline;
   for (int i = 0; i <= 20; i++) { /* half axes: 2 along y, 1 along -x */
     lam_vec3 x =
         point_at(oval, oval->knots[2] + i / 20.0 * (oval->knots[oval->count] - oval->knots[2]));
-    assert_near(x.x * x.x + x.y * x.y / 4, 1, 1e-14, "ellipse");
+    assert_near_named(x.x * x.x + x.y * x.y / 4, 1, 1e-14, "ellipse");
     assert_true(x.x < 1e-15 && x.y > -1e-15);
   }
-  assert_near(lam_distance(end_of(oval), lam_v3(-1, 0, 1)), 0, 1e-15, "end of the ellipse");
+  assert_near_named(lam_distance(end_of(oval), lam_v3(-1, 0, 1)), 0, 1e-15, "end of the ellipse");
   assert_place(point_at(&c[6], 1), 1, 0, 0, "a corner");
   assert_place(end_of(&c[6]), 2, 0, 1, "its end");
 }
@@ -270,19 +273,22 @@ static void iges_curves_of_others_are_read(void **state) {
   const lam_spline_curve *line = &list.items[0].spline, *arc = &list.items[1].spline,
                          *third = &list.items[2].spline;
   const double inch = 0.0254;
-  assert_near(lam_distance(start_of(line), lam_v3(10 * inch, 0, 0)), 0, 1e-15, "line");
-  assert_near(lam_distance(end_of(line), lam_v3(10 * inch, inch, 2 * inch)), 0, 1e-15, "line");
-  assert_near(lam_distance(start_of(arc), lam_v3(10 * inch, inch, 3 * inch)), 0, 1e-15, "arc");
-  assert_near(lam_distance(end_of(arc), lam_v3(9 * inch, 0, 3 * inch)), 0, 1e-15, "arc");
+  assert_near_named(lam_distance(start_of(line), lam_v3(10 * inch, 0, 0)), 0, 1e-15, "line");
+  assert_near_named(lam_distance(end_of(line), lam_v3(10 * inch, inch, 2 * inch)), 0, 1e-15,
+                    "line");
+  assert_near_named(lam_distance(start_of(arc), lam_v3(10 * inch, inch, 3 * inch)), 0, 1e-15,
+                    "arc");
+  assert_near_named(lam_distance(end_of(arc), lam_v3(9 * inch, 0, 3 * inch)), 0, 1e-15, "arc");
   lam_curve quarter = lam_curve_of_spline(*state, arc);
-  assert_near(lam_curve_length(&quarter, quarter.from, quarter.to, 1e-12), LAM_PI / 2 * inch, 1e-14,
-              "a quarter turn");
+  assert_near_named(lam_curve_length(&quarter, quarter.from, quarter.to, 1e-12), LAM_PI / 2 * inch,
+                    1e-14, "a quarter turn");
   const lam_spline_curve *bent = &list.items[3].spline;
-  assert_near(lam_distance(point_at(bent, 1), lam_v3(10 * inch, inch, 2 * inch)), 0, 1e-15,
-              "the corner of the polyline");
-  assert_near(lam_distance(end_of(bent), lam_v3(9 * inch, inch, 2 * inch)), 0, 1e-15, "its end");
-  assert_near(lam_distance(start_of(third), lam_v3(inch, 0, 0)), 0, 1e-15, "third");
-  assert_near(lam_distance(end_of(third), lam_v3(2 * inch, 0, 0)), 0, 1e-15, "third");
+  assert_near_named(lam_distance(point_at(bent, 1), lam_v3(10 * inch, inch, 2 * inch)), 0, 1e-15,
+                    "the corner of the polyline");
+  assert_near_named(lam_distance(end_of(bent), lam_v3(9 * inch, inch, 2 * inch)), 0, 1e-15,
+                    "its end");
+  assert_near_named(lam_distance(start_of(third), lam_v3(inch, 0, 0)), 0, 1e-15, "third");
+  assert_near_named(lam_distance(end_of(third), lam_v3(2 * inch, 0, 0)), 0, 1e-15, "third");
 }
 
 /* A part of a curve is the curve: random cuts of rational curves with open and repeated knots. */
@@ -304,17 +310,19 @@ static void parts_are_the_curve(void **state) {
       assert_true(part.knots[0] == cuts[k][0] && part.knots[part.count + 4] == cuts[k][1]);
       for (int i = 0; i <= 16; i++) {
         double t = cuts[k][0] + (cuts[k][1] - cuts[k][0]) * i / 16;
-        assert_near(lam_distance(point_at(&part, t), point_at(&c, t)), 0, 1e-13 * size, "part");
+        assert_near_named(lam_distance(point_at(&part, t), point_at(&c, t)), 0, 1e-13 * size,
+                          "part");
       }
       lam_spline_side side = lam_spline_side_of_curve(&c);
       lam_vec3 slope, exact[2];
       lam_spline_curve_eval(&c, cuts[k][0], 1, exact);
       lam_spline_side_slope(*state, &side, cuts[k][0], &slope);
-      assert_near(lam_distance(slope, exact[1]), 0, 1e-12 * lam_length(exact[1]), "derivative");
+      assert_near_named(lam_distance(slope, exact[1]), 0, 1e-12 * lam_length(exact[1]),
+                        "derivative");
       lam_spline_curve again =
           lam_curve_between(*state, &c, point_at(&c, cuts[k][1]), point_at(&c, cuts[k][0]));
-      assert_near(again.knots[0], cuts[k][0], 1e-9, "found by its ends");
-      assert_near(again.knots[again.count], cuts[k][1], 1e-9, "found by its ends");
+      assert_near_named(again.knots[0], cuts[k][0], 1e-9, "found by its ends");
+      assert_near_named(again.knots[again.count], cuts[k][1], 1e-9, "found by its ends");
     }
   }
 }
@@ -343,13 +351,13 @@ static void units_are_honored(void **state) {
   for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
     char *step = replaced(
         *state, replaced(*state, step_curves, "SI_UNIT($,.METRE.)", units[i].step), "#90=", more);
-    assert_near(end_of(&curves_of(*state, &lam_format_step, step).items[0].spline).x,
-                2 * units[i].size, 1e-15 * units[i].size, units[i].step);
+    assert_near_named(end_of(&curves_of(*state, &lam_format_step, step).items[0].spline).x,
+                      2 * units[i].size, 1e-15 * units[i].size, units[i].step);
     char *flag = lam_arena_printf(*state, "/1./%d/2HIN", units[i].iges);
     char *iges = replaced(*state, iges_curves(*state), "/1./1/2HIN", flag);
     if (units[i].iges >= 10) iges = replaced(*state, iges, "/1/.1/ ", "/1/.1/");
-    assert_near(end_of(&curves_of(*state, &lam_format_iges, iges).items[2].spline).x,
-                2 * units[i].size, 1e-15 * units[i].size, flag);
+    assert_near_named(end_of(&curves_of(*state, &lam_format_iges, iges).items[2].spline).x,
+                      2 * units[i].size, 1e-15 * units[i].size, flag);
   }
 }
 

@@ -24,9 +24,9 @@ static void assert_same_surface(const lam_spline_surface *a, const lam_spline_su
   assert_int_equal(a->weights != NULL, b->weights != NULL);
   for (int i = 0; i < a->count[0] * a->count[1]; i++) {
     const lam_vec3 *x = &a->points[i], *y = &b->points[i];
-    assert_near(x->x, y->x, 1e-15 * fabs(y->x), what);
-    assert_near(x->y, y->y, 1e-15 * fabs(y->y), what);
-    assert_near(x->z, y->z, 1e-15 * fabs(y->z), what);
+    assert_near_named(x->x, y->x, 1e-15 * fabs(y->x), what);
+    assert_near_named(x->y, y->y, 1e-15 * fabs(y->y), what);
+    assert_near_named(x->z, y->z, 1e-15 * fabs(y->z), what);
     if (a->weights) assert_true(a->weights[i] == b->weights[i]);
   }
 }
@@ -93,11 +93,11 @@ static void unclamped_knots_are_clamped(void **state) {
         assert_true(clamped.knots[d][clamped.count[d] + i] == s.knots[d][s.count[d]]);
       }
     assert_null(lam_spline_problem(&clamped));
-    assert_near(difference(*state, &clamped, &s), 0, 1e-14, "clamped");
+    assert_near_named(difference(*state, &clamped, &s), 0, 1e-14, "clamped");
     lam_model model = model_of(&s, 1);
     for (int f = 0; f < readable_count; f++) {
       lam_spline_list list = read_back(*state, readable[f], written(*state, readable[f], &model));
-      assert_near(difference(*state, &list.items[0], &s), 0, 1e-14, readable[f]->name);
+      assert_near_named(difference(*state, &list.items[0], &s), 0, 1e-14, readable[f]->name);
     }
   }
 }
@@ -262,8 +262,9 @@ static void obj_of_others_is_read(void **state) {
   assert_int_equal(s.count[0], 5);
   assert_int_equal(s.count[1], 2);
   for (int i = 0; i < 8; i++) assert_true(s.knots[0][i] == knots[i]);
-  assert_near(lam_distance(s.points[4], lam_v3(2, 0, 1)), 0, 0, "the row where the pieces meet");
-  assert_near(lam_distance(s.points[5], lam_v3(2, 1, 1)), 0, 0, "and its neighbor in v");
+  assert_near_named(lam_distance(s.points[4], lam_v3(2, 0, 1)), 0, 0,
+                    "the row where the pieces meet");
+  assert_near_named(lam_distance(s.points[5], lam_v3(2, 1, 1)), 0, 0, "and its neighbor in v");
   obj_surface(*state, replaced(*state, obj_bezier, "surf 0 2", "surf 0 1.5"), &note);
   assert_non_null(note); /* half of a piece is cut off */
   obj_surface(*state, replaced(*state, obj_bezier, "parm v 0 1", "parm v 0 1\ntrim 0 1 1"), &note);
@@ -311,9 +312,9 @@ static void step_of_others_is_read(void **state) {
   lam_spline_list list = read_back(*state, &lam_format_step, text);
   assert_int_equal(list.count, 1);
   const lam_spline_surface *s = &list.items[0];
-  assert_near(s->points[3].x, 0.0254, 1e-17, "an inch");
-  assert_near(s->points[3].z, 0.00635, 1e-17, "a quarter of an inch");
-  assert_near(s->points[1].y, 0.0254, 1e-17, "v runs fastest");
+  assert_near_named(s->points[3].x, 0.0254, 1e-17, "an inch");
+  assert_near_named(s->points[3].z, 0.00635, 1e-17, "a quarter of an inch");
+  assert_near_named(s->points[1].y, 0.0254, 1e-17, "v runs fastest");
   assert_true(s->knots[1][0] == -1 && s->knots[1][3] == 3 && s->weights == NULL);
 }
 
@@ -348,7 +349,7 @@ static void step_without_knots_is_read(void **state) {
     assert_int_equal(s->weights != NULL, i == 1);
     lam_jet jet;
     lam_nurbs_eval(lam_nurbs_make(*state, s), s->knots[0][2], s->knots[1][1], &jet);
-    assert_near(jet.x.x, cases[i].start, 1e-16, "start");
+    assert_near_named(jet.x.x, cases[i].start, 1e-16, "start");
   }
 }
 
@@ -357,10 +358,10 @@ static void iges_of_others_is_read(void **state) {
   assert_int_equal(list.count, 1);
   const lam_spline_surface *s = &list.items[0];
   assert_null(s->weights);
-  assert_near(lam_distance(s->points[0], lam_v3(0.254, 0, 0)), 0, 1e-16, "(0, 0)");
-  assert_near(lam_distance(s->points[1], lam_v3(0.2286, 0, 0)), 0, 1e-16, "(0, 1)");
-  assert_near(lam_distance(s->points[2], lam_v3(0.254, 0.0254, 0)), 0, 1e-16, "(1, 0)");
-  assert_near(lam_distance(s->points[3], lam_v3(0.2286, 0.0254, 0.0127)), 0, 1e-16, "(1, 1)");
+  assert_near_named(lam_distance(s->points[0], lam_v3(0.254, 0, 0)), 0, 1e-16, "(0, 0)");
+  assert_near_named(lam_distance(s->points[1], lam_v3(0.2286, 0, 0)), 0, 1e-16, "(0, 1)");
+  assert_near_named(lam_distance(s->points[2], lam_v3(0.254, 0.0254, 0)), 0, 1e-16, "(1, 0)");
+  assert_near_named(lam_distance(s->points[3], lam_v3(0.2286, 0.0254, 0.0127)), 0, 1e-16, "(1, 1)");
 }
 
 /* What the evaluation cannot take is refused with the key's name, and so is a surface that nobody

@@ -98,7 +98,7 @@ static void bad_json_is_refused_with_a_reason(void **state) {
   lam_text text = {.arena = *state};
   lam_text_add(&text, good);
   lam_spline_list list = read_back(*state, &lam_format_surface, text);
-  assert_near(list.items[0].points[3].z, 0.01, 1e-17, "a centimeter");
+  assert_near_named(list.items[0].points[3].z, 0.01, 1e-17, "a centimeter");
   CHECK_REFUSED(&lam_format_surface, good, cases);
   const char *message;
   assert_false(try_read(*state, &lam_format_surface, "{\n\"a\":\n,", 8, &list, &message));

@@ -1,5 +1,6 @@
 /* Smooth curves along polylines of nets. */
 #include "core/numbers.h"
+#include "tests/unit/asserts.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,11 +16,6 @@ static int set_up(void **state) { return (*state = lam_arena_new()) == NULL; }
 static int tear_down(void **state) {
   lam_arena_free(*state);
   return 0;
-}
-
-static void assert_near(double value, double expected, double tolerance, const char *what) {
-  if (!(fabs(value - expected) <= tolerance))
-    fail_msg("%s: %.17g, expected %.17g +- %.1e", what, value, expected, tolerance);
 }
 
 enum { most = 64 };
@@ -54,12 +50,12 @@ static void vertices_are_interpolated(void **state) {
       if (i) t += lam_distance(x[order[i]], x[order[i - 1]]) / total;
       t = fmin(t, 1);
       jet(&c, t, at);
-      assert_near(lam_distance(at[0], x[order[i]]), 0, 1e-12, "vertex");
+      assert_near_named(lam_distance(at[0], x[order[i]]), 0, 1e-12, "vertex");
       if (i == 0 || i == count - 1) continue;
       jet(&c, t - 1e-9, before);
       jet(&c, t + 1e-9, after);
-      assert_near(lam_distance(before[2], after[2]), 0, 1e-4 * (1 + lam_length(at[2])),
-                  "second derivative");
+      assert_near_named(lam_distance(before[2], after[2]), 0, 1e-4 * (1 + lam_length(at[2])),
+                        "second derivative");
     }
   }
 }
@@ -82,15 +78,15 @@ static void closed_lines_close(void **state) {
     lam_vec3 start[4], end[4], middle[4];
     jet(&c, 0, start);
     jet(&c, 1, end);
-    assert_near(c.knots[0], 0, 0, "domain");
-    assert_near(c.knots[c.count], 1, 0, "domain");
+    assert_near_named(c.knots[0], 0, 0, "domain");
+    assert_near_named(c.knots[c.count], 1, 0, "domain");
     for (int d = 0; d < 3; d++)
-      assert_near(lam_distance(start[d], end[d]), 0, 1e-11 * (1 + lam_length(start[d])),
-                  "derivative at the seam");
+      assert_near_named(lam_distance(start[d], end[d]), 0, 1e-11 * (1 + lam_length(start[d])),
+                        "derivative at the seam");
     double a = 2 * pi / n, halfway = cos(a / 2) + 6 * sin(a) / (4 + 2 * cos(a)) * sin(a / 2) / 4;
     for (int i = 0; i < n; i++) {
       jet(&c, (i + 0.5) / n, middle);
-      assert_near(lam_length(middle[0]), halfway, 1e-11, "radius halfway");
+      assert_near_named(lam_length(middle[0]), halfway, 1e-11, "radius halfway");
     }
   }
 }

@@ -117,8 +117,8 @@ static void test_it_is_the_minimum(void **state) {
       }
       *x = was;
       assert_true(side[0] > least && side[1] > least);
-      assert_near((side[1] - side[0]) / (side[0] + side[1] - 2 * least), 0, 0.02, "near", "slope",
-                  k, c);
+      assert_near_at((side[1] - side[0]) / (side[0] + side[1] - 2 * least), 0, 0.02, "near",
+                     "slope", k, c);
     }
 }
 
@@ -173,7 +173,7 @@ static void test_a_grid_may_fold(void **state) {
   for (int i = 0; i <= 40; i++) {
     lam_jet jet;
     lam_surface_eval(&s, i / 40.0, 0.37, &jet);
-    assert_near(hypot(jet.x.x, jet.x.z), 3, 2e-3, "approximation", "radius", i, 0);
+    assert_near_at(hypot(jet.x.x, jet.x.z), 3, 2e-3, "approximation", "radius", i, 0);
   }
   assert_true(report_of(f, &s)->measures[0].max < 2e-3);
 }
@@ -214,10 +214,10 @@ static void test_steep_clouds(void **state) {
   lam_vec2 t[5];
   double length[2];
   assert_true(lam_cloud_parameters(5, points, t, length));
-  assert_near(length[0], 4, 1e-14, "cloud", "length", 0, 0);
-  assert_near(length[1], 3, 1e-14, "cloud", "length", 1, 0);
-  assert_near(t[4].x, 0.75, 1e-14, "cloud", "u", 0, 0);
-  assert_near(t[4].y, 1.0 / 3, 1e-14, "cloud", "v", 0, 0);
+  assert_near_at(length[0], 4, 1e-14, "cloud", "length", 0, 0);
+  assert_near_at(length[1], 3, 1e-14, "cloud", "length", 1, 0);
+  assert_near_at(t[4].x, 0.75, 1e-14, "cloud", "u", 0, 0);
+  assert_near_at(t[4].y, 1.0 / 3, 1e-14, "cloud", "v", 0, 0);
 }
 
 static void test_refusals(void **state) {

@@ -13,7 +13,8 @@ static void test_ratio(void **state) {
   static const double inner[] = {0.2, 1. / 3, 0.5, 1, 2, 7. / 3, 5};
   for (size_t i = 0; i < sizeof inner / sizeof *inner; i++) {
     double w[4] = {1, inner[i], inner[i], 1};
-    assert_near(lam_hybrid_ratio(3, w), 0.75 * fabs(1 - inner[i]), 1e-9, "ratio", "w", inner[i], 0);
+    assert_near_at(lam_hybrid_ratio(3, w), 0.75 * fabs(1 - inner[i]), 1e-9, "ratio", "w", inner[i],
+                   0);
   }
 }
 
@@ -53,8 +54,8 @@ static void test_hybrid(void **state) {
   } cases[] = {{"ex1", 3, 2.0e-2}, {"ex1", 6, 7.1e-4}, {"ex1", 10, 1.1e-5},
                {"ex3", 3, 9.6e-2}, {"ex3", 6, 1.6e-2}, {"ex3", 10, 1.6e-3}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-    assert_near(hybrid_error(f, cases[i].name, cases[i].r), cases[i].error, 0.1 * cases[i].error,
-                cases[i].name, "error", cases[i].r, 0);
+    assert_near_at(hybrid_error(f, cases[i].name, cases[i].r), cases[i].error, 0.1 * cases[i].error,
+                   cases[i].name, "error", cases[i].r, 0);
 }
 
 /* The paper's way with r = p = 3 to its tolerances: steps and areas by another program, whose
@@ -117,11 +118,11 @@ static void test_boundary(void **state) {
         double at = fmin(fmax(end + side * 1e-9, b.knots[d][3]), b.knots[d][5]);
         lam_nurbs_eval(exact, d ? other : at, d ? at : other, &x);
         lam_nurbs_eval(near, d ? other : at, d ? at : other, &y);
-        assert_near(lam_distance(x.x, y.x), 0, 1e-9, "border", "place", end, side);
-        assert_near(lam_distance(d ? x.v : x.u, d ? y.v : y.u), 0, 1e-6, "border",
-                    "first derivative", end, side);
-        assert_near(lam_distance(d ? x.vv : x.uu, d ? y.vv : y.uu), 0, 1e-5, "border",
-                    "second derivative", end, side);
+        assert_near_at(lam_distance(x.x, y.x), 0, 1e-9, "border", "place", end, side);
+        assert_near_at(lam_distance(d ? x.v : x.u, d ? y.v : y.u), 0, 1e-6, "border",
+                       "first derivative", end, side);
+        assert_near_at(lam_distance(d ? x.vv : x.uu, d ? y.vv : y.uu), 0, 1e-5, "border",
+                       "second derivative", end, side);
       }
     }
 }
@@ -218,13 +219,14 @@ static void test_fit(void **state) {
   lam_spline_surface s = area_boundary(f, "N8_nonuniform");
   s = lam_least_area_dirichlet(f->arena, &s);
   lam_spline_surface same = lam_spline_surface_fit(f->arena, &s, &s);
-  assert_near(lam_spline_surface_distance(f->arena, &same, &s), 0, 1e-12, "fit", "distance", 0, 0);
+  assert_near_at(lam_spline_surface_distance(f->arena, &same, &s), 0, 1e-12, "fit", "distance", 0,
+                 0);
   lam_spline_surface space = lam_least_area_separable_weights(f->arena, &s);
   same = lam_spline_surface_fit_weights(f->arena, &space, &s, 0.01, 30);
-  assert_near(lam_spline_surface_distance(f->arena, &same, &s), 0, 1e-8, "fit with weights",
-              "distance", 0, 0);
+  assert_near_at(lam_spline_surface_distance(f->arena, &same, &s), 0, 1e-8, "fit with weights",
+                 "distance", 0, 0);
   for (int k = 0; k < s.count[0] * s.count[1]; k++)
-    assert_near(same.weights[k], s.weights[k], 1e-6, "fit", "weight", k, 0);
+    assert_near_at(same.weights[k], s.weights[k], 1e-6, "fit", "weight", k, 0);
 }
 
 /* Step 6 alone: a surface z = x y on the square, with inner points moved along it and off it, comes
@@ -250,11 +252,11 @@ static void test_nearest(void **state) {
   for (int k = 0; k < 400; k++) {
     lam_jet jet;
     lam_nurbs_eval(nurbs, k / 20 / 19.0, k % 20 / 19.0, &jet);
-    assert_near(jet.x.z, jet.x.x * jet.x.y, 6e-4, "nearest", "height", k, 0);
+    assert_near_at(jet.x.z, jet.x.x * jet.x.y, 6e-4, "nearest", "height", k, 0);
   }
   lam_spline_surface same = lam_spline_surface_nearest(f->arena, &to, &to);
-  assert_near(lam_spline_surface_distance(f->arena, &same, &to), 0, 1e-12, "nearest to itself",
-              "distance", 0, 0);
+  assert_near_at(lam_spline_surface_distance(f->arena, &same, &to), 0, 1e-12, "nearest to itself",
+                 "distance", 0, 0);
 }
 
 /* Half a cylinder of radius 1 and length 3 is the surface of mean curvature 1/2 on its boundary;
@@ -271,12 +273,12 @@ static void test_mean_curvature(void **state) {
           " {points: [-1,3,0, -1,0,0]}, {points: [1,3,0, 1,3,1, 0,3,1, -1,3,1, -1,3,0], %s},"
           " {points: [1,0,0, 1,3,0]}]}",
           arc, arc));
-  assert_near(lam_surface_area(f->arena, s.kind->spline(s.data), 8), 3 * LAM_PI, 1e-7,
-              "half cylinder", "area", 0, 0);
+  assert_near_at(lam_surface_area(f->arena, s.kind->spline(s.data), 8), 3 * LAM_PI, 1e-7,
+                 "half cylinder", "area", 0, 0);
   for (int k = 0; k < 20; k++) {
     lam_jet jet;
     lam_surface_eval(&s, k / 19.0, (7 * k % 20) / 19.0, &jet);
-    assert_near(hypot(jet.x.x, jet.x.z), 1, 1e-5, "half cylinder", "radius", k, 0);
+    assert_near_at(hypot(jet.x.x, jet.x.z), 1, 1e-5, "half cylinder", "radius", k, 0);
   }
 }
 

@@ -34,8 +34,8 @@ static void distances_are_kept_by_the_flattening(void **state) {
     for (int t = 0; t < sheet->mesh.triangle_count; t++)
       for (int e = 0; e < 3; e++) {
         int a = sheet->mesh.triangles[t][e], b = sheet->mesh.triangles[t][(e + 1) % 3];
-        double on_picture =
-            hypot(sheet->texture[b].x - sheet->texture[a].x, sheet->texture[b].y - sheet->texture[a].y);
+        double on_picture = hypot(sheet->texture[b].x - sheet->texture[a].x,
+                                  sheet->texture[b].y - sheet->texture[a].y);
         double scale = lam_distance(sheet->mesh.vertices[a], sheet->mesh.vertices[b]) / on_picture;
         low = fmin(low, scale);
         high = fmax(high, scale);
@@ -44,8 +44,8 @@ static void distances_are_kept_by_the_flattening(void **state) {
     if (flattened ? high / low > 1.02 : high / low < 1.5)
       fail_msg("%s: scales %.4g to %.4g", sheet->name, low, high);
     for (int v = 0; v < sheet->mesh.vertex_count; v++)
-      assert_true(sheet->texture[v].x >= 0 && sheet->texture[v].x <= 1 && sheet->texture[v].y >= 0 &&
-                  sheet->texture[v].y <= 1);
+      assert_true(sheet->texture[v].x >= 0 && sheet->texture[v].x <= 1 &&
+                  sheet->texture[v].y >= 0 && sheet->texture[v].y <= 1);
   }
   /* independent program, 40 cells: 2.93 and 1.0137 */
   print = lam_print_make(f->arena, &s, LAM_MOTIF_CHECKER, LAM_PRINT_COMPARE, 40);
