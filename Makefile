@@ -12,8 +12,11 @@ else ifeq ($(config),debug)
 else ifeq ($(config),sanitize)
   out := build/sanitize
   opt := -O1 -g -Wno-format-truncation -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+else ifeq ($(config),thread)
+  out := build/thread
+  opt := -O1 -g -fsanitize=thread -fno-omit-frame-pointer
 else
-  $(error config is release, debug or sanitize, not "$(config)")
+  $(error config is release, debug, sanitize or thread, not "$(config)")
 endif
 
 warn     := -Wall -Wextra -Werror -Wshadow
@@ -39,6 +42,8 @@ shims   := $(wildcard gen/*/*_shim.cc gen/*/*/*_shim.cc formats/*/*_shim.cc)
 lib_obj := $(lib_src:%.c=$(out)/obj/%.o) $(shims:%.cc=build/obj/%.o)
 cli_obj := $(cli_src:%.c=$(out)/obj/%.o)
 tests   := $(patsubst tests/%.c,$(out)/tests/%,$(wildcard tests/unit/*/test_*.c tests/api/test_*.c tests/torture/*.c))
+# those with a word in their name, when make check is given one
+chosen  := $(if $(only),$(foreach t,$(tests),$(if $(findstring $(only),$t),$t)),$(tests))
 designs := $(patsubst templates/designs/%.yaml,%,$(wildcard templates/designs/*.yaml))
 gallery := $(designs:%=renders/gallery/%.jpg)
 
@@ -133,7 +138,7 @@ renders/gallery/%.jpg: build/models/%/report.json
 
 # ---- tests ----
 check: setup-check
-	@$(MAKE) --no-print-directory $(jobs) all $(tests)
+	@$(MAKE) --no-print-directory $(jobs) all $(chosen)
 	@LAMELLA=$(abspath $(out)/lamella) LAM_TESTS=$(out)/tests tests/run $(only)
 accept: all
 	@LAMELLA=$(abspath $(out)/lamella) LAM_ACCEPT=1 tests/golden/golden.t
@@ -170,4 +175,4 @@ help:
 	@echo "make layers     checks which folder includes which"
 	@echo "make format     clang-format"
 	@echo "make install    to prefix=$(prefix)"
-	@echo "config=release|debug|sanitize builds into build, build/debug, build/sanitize"
+	@echo "config=release|debug|sanitize|thread builds into build, build/debug, build/sanitize, build/thread"

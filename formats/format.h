@@ -1,6 +1,6 @@
-/* File formats: one writer or reader per file; the list is formats/list/formats.c. A writer turns the
- * model into bytes; it opens no file. A format may make several files: they are enumerated, named
- * and written one by one. */
+/* File formats: one writer or reader per file; the list is formats/list/formats.c. A writer turns
+ * the model into bytes; it opens no file. A format may make several files: they are enumerated,
+ * named and written one by one. */
 #ifndef LAM_FORMATS_FORMAT_H
 #define LAM_FORMATS_FORMAT_H
 

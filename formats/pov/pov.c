@@ -134,7 +134,7 @@ static void add_head(lam_text *out, const lam_model *model, int decimals) {
                   model->picture.view);
 }
 
-/* Materials that materials.inc does not know look as their row in core/material.h says: each
+/* Materials that materials.inc does not know look as their row in fab/material.h says: each
  * material of a part is declared once, unless it is declared already. */
 static void add_materials(lam_text *out, const lam_model *model) {
   for (int i = 0; i < model->part_count; i++) {

@@ -1,16 +1,18 @@
-/* How fast the library is: the sections of `lamella bench` one after the other. Times are the least of
- * several runs, or ratios measured in one run. Called through lamella/bench.h. */
+/* How fast the library is: the sections of `lamella bench` one after the other. Called through
+ * lamella/bench.h by cli/verb_bench.c. */
 #include "bench/bench.h"
 #include "library/names.h"
 #include "library/session_state.h"
 #include "solve/kernels.h"
 #include <lamella/bench.h>
 
-/* Tables as they come, or results for one array. False with errors. */
+/* Tables as they come, or results for one array. One kind of net alone has no other sections than
+ * those of nets. False with errors. */
 static bool run_sections(lam_bench *bench) {
   if (!bench->json)
     fprintf(bench->out, "dense kernels: %s%s%s\n", lam_blas_kernel(), lam_blas_advice() ? "; " : "",
             lam_blas_advice() ? lam_blas_advice() : "");
+
   if (!bench->only) {
     if (!lam_bench_factor(bench) || !lam_bench_surfaces(bench) || !lam_bench_quads(bench))
       return false;
@@ -19,6 +21,7 @@ static bool run_sections(lam_bench *bench) {
   return lam_bench_thesis(bench) && lam_bench_sizes(bench);
 }
 
+/* Whether there is a kind of net with this name; a message otherwise. */
 static bool is_net(lam_session *session, const char *name) {
   const char **names = LAM_NEW(session->arena, const char *, lam_nets.count + 1);
   for (int i = 0; i < lam_nets.count; i++) names[i] = lam_nets.rows[i]->name;
@@ -28,6 +31,7 @@ static bool is_net(lam_session *session, const char *name) {
 
 static void release(void *handle) { json_decref(handle); }
 
+/* The array of results is released with the session's memory, whatever happens before. */
 static lam_status run(lam_session *session, const lam_bench_options *options, FILE *out) {
   enum { usual = 41000 };
   lam_bench bench = {.arena = session->arena,
@@ -47,6 +51,7 @@ static lam_status run(lam_session *session, const lam_bench_options *options, FI
   return LAM_OK;
 }
 
+/* Declared in include/lamella/bench.h. */
 lam_status lam_bench_run(lam_session *session, const lam_bench_options *options, FILE *out) {
   LAM_ENTER(session);
   return lam_session_leave(session, run(session, options, out));

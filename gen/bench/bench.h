@@ -1,4 +1,5 @@
-/* What the parts of `lamella bench` share. */
+/* What the sections of `lamella bench` share: cases to be solved, what came of them, and a clock.
+ * Used by the files of this folder alone. */
 #ifndef LAM_BENCH_BENCH_H
 #define LAM_BENCH_BENCH_H
 
@@ -7,18 +8,7 @@
 #include <jansson.h>
 #include <stdio.h>
 
-/* A start from which a kind of net is known to converge: the mesh of a surface with some noise. */
-typedef struct lam_bench_start {
-  const char *kind;    /* of the net registry */
-  const char *keys;    /* of the net, as in a design: "orthogonal: yes", or "" */
-  const char *surface; /* as in a design */
-  double noise;        /* mean edges */
-  double aspect;       /* vertices along the first family over those along the second */
-  const char *measure; /* that proves the net */
-} lam_bench_start;
-extern const lam_bench_start lam_bench_starts[];
-extern const int lam_bench_start_count;
-
+/* A run of the benchmark. */
 typedef struct lam_bench {
   lam_arena *arena;
   lam_errors *errors;
@@ -29,49 +19,77 @@ typedef struct lam_bench {
   FILE *out;          /* for tables */
 } lam_bench;
 
+/* ---- starts (bench_starts.c) ---- */
+
+/* A start from which a kind of net is known to converge: the mesh of a surface with some noise. */
+typedef struct lam_bench_start {
+  const char *kind;    /* of the net registry */
+  const char *keys;    /* of the net, as in a design: "orthogonal: yes", or "" */
+  const char *surface; /* as in a design */
+  double noise;        /* mean edges */
+  double aspect;       /* vertices along the first family over those along the second */
+  const char *measure; /* that proves the net */
+} lam_bench_start;
+extern const lam_bench_start lam_bench_starts[]; /* lam_bench_start_count of them, one per kind */
+extern const int lam_bench_start_count;
+
+/* ---- solving a case (bench_run.c) ---- */
+
 /* What is solved. */
 typedef struct lam_bench_case {
-  const char *kind, *keys;
-  const char *solver;  /* as in a design */
-  const char *surface; /* NULL: the mesh */
-  const char *mesh;    /* name in the folder */
-  int grid[2];         /* cells */
-  double noise;
-  const char *measure; /* NULL: none */
-  int repeats;         /* the least time of so many runs counts */
+  const char *kind, *keys; /* as in lam_bench_start */
+  const char *solver;      /* as in a design */
+  const char *surface;     /* NULL: the mesh */
+  const char *mesh;        /* name in the folder; NULL: the surface */
+  int grid[2];             /* cells on the surface */
+  double noise;            /* mean edges */
+  const char *measure;     /* NULL: none */
+  int repeats;             /* the least time of so many runs counts */
 } lam_bench_case;
 
+/* What came of it. Times in seconds. */
 typedef struct lam_bench_result {
   int vertices, unknowns;
   int iterations, factorizations; /* rejected steps are factorized too */
   bool converged;
-  char reason[100];
+  char reason[100]; /* why the solver ended */
   double residual;
-  double analysis, assembly, factor, solve; /* seconds: once; per factorization */
-  double step;           /* seconds of all three: a step that is taken or rejected */
-  double total;          /* seconds of the fastest run */
-  double memory;         /* largest resident set, bytes; NAN: unknown */
-  double flops, entries; /* of a factorization */
-  double shortest_edge, measure;
+  double analysis;                /* once */
+  double assembly, factor, solve; /* per factorization */
+  double step;                    /* all three: a step that is taken or rejected */
+  double total;                   /* of the fastest run */
+  double memory;                  /* largest resident set, bytes; NAN: unknown */
+  double flops, entries;          /* of a factorization, of the factor */
+  double shortest_edge;           /* over the mean edge */
+  double measure;                 /* its largest value; NAN without one */
 } lam_bench_result;
 
-/* The net of a case before it is solved. False with errors. */
+/* The net of a case before it is solved, and the job to solve it with; both live in bench->arena.
+ * False with errors. */
 bool lam_bench_net(lam_bench *bench, const lam_bench_case *what, lam_net_job *job, lam_net *net);
-/* Solves a case. False with errors. */
+/* Solves a case. Not converging is a result. False with errors. */
 bool lam_bench_run_case(lam_bench *bench, const lam_bench_case *what, lam_bench_result *result);
+/* An object of the array of results, times in milliseconds; the caller owns it. */
 json_t *lam_bench_json(const char *section, const lam_bench_case *what,
                        const lam_bench_result *result);
-/* Seconds that this thread has computed. */
+/* Seconds that this thread has computed: other programs do not count. */
 double lam_bench_clock(void);
 
-/* The sections. False with errors. */
-bool lam_bench_sizes(lam_bench *bench);  /* every net of the table, growing */
-bool lam_bench_thesis(lam_bench *bench); /* the two methods side by side */
-void lam_bench_developable(
-    lam_bench *bench); /* Newton's method against the two algorithms of Li & Deng */
-bool lam_bench_factor(
-    lam_bench *bench); /* an iteration against CHOLMOD on the same matrix; hard meshes */
-bool lam_bench_surfaces(lam_bench *bench); /* least area: three methods from one start */
-bool lam_bench_quads(lam_bench *bench);    /* asymptotic patches */
+/* ---- sections ----
+ * Each writes a table, or adds to the array of results. False with errors. */
+
+/* Every net of the table of starts, growing. */
+bool lam_bench_sizes(lam_bench *bench);
+/* The solver of lamella and that of the thesis side by side. */
+bool lam_bench_thesis(lam_bench *bench);
+/* Nearly developable surfaces: Newton's method against the two algorithms of Li & Deng. It cannot
+ * fail. */
+void lam_bench_developable(lam_bench *bench);
+/* An iteration against CHOLMOD on the same matrix; meshes that are hard to planarize. */
+bool lam_bench_factor(lam_bench *bench);
+/* Surfaces of least area: several methods from one start. */
+bool lam_bench_surfaces(lam_bench *bench);
+/* Asymptotic patches: three forms of control nets. */
+bool lam_bench_quads(lam_bench *bench);
 
 #endif

@@ -1,3 +1,5 @@
+/* What an iteration costs beyond the factorization: a whole one against CHOLMOD's part of it on the
+ * same matrix; and nets on meshes that are hard to planarize. Called by bench.c. */
 #include "bench/bench.h"
 #include "solve/assemble.h"
 
@@ -6,6 +8,9 @@
 
 enum { repeats = 15 };
 
+/* ---- one iteration ---- */
+
+/* Times of several runs. */
 typedef struct spread {
   double least, median; /* milliseconds */
 } spread;
@@ -15,6 +20,7 @@ static int compare_double(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
+/* seconds: repeats of them, which are sorted. */
 static spread spread_of(double *seconds) {
   qsort(seconds, repeats, sizeof(double), compare_double);
   return (spread){seconds[0] * 1e3, seconds[repeats / 2] * 1e3};
@@ -26,47 +32,97 @@ typedef struct comparison {
   lam_factor_stats stats;
 } comparison;
 
-/* An iteration, then CHOLMOD's part of it alone on the same matrix; pairs see the same noise of the
- * machine. */
-static comparison compare(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
-  double unit = lam_net_mean_edge(net, net->mesh.vertices), times[4][repeats];
+/* The normal equations of a net, analyzed and ready to be assembled again and again. */
+typedef struct equations {
+  const lam_problem *problem;
+  lam_system *system;
+  lam_factor *factor;
+  double *values;          /* of the matrix */
+  double *gradient, *step; /* one number per column */
+} equations;
+
+/* Positions are in mean edges, as the solver takes them. Hard constraints alone. */
+static equations equations_of(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
+  double unit = lam_net_mean_edge(net, net->mesh.vertices);
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, net->mesh.vertex_count);
   for (int v = 0; v < net->mesh.vertex_count; v++)
     x[v] = lam_scale(net->mesh.vertices[v], 1 / unit);
-  lam_errors errors = {.arena = arena};
+
+  lam_errors *errors = LAM_NEW(arena, lam_errors, 1);
+  errors->arena = arena;
   lam_problem *problem = lam_problem_new(arena, net->mesh.vertex_count, x);
-  lam_scope scope = {.problem = problem, .net = net, .unit = unit, .errors = &errors};
+  lam_scope scope = {.problem = problem, .net = net, .unit = unit, .errors = errors};
   job->kind->constrain(&scope, job->params, job->location);
+
   lam_system *system = lam_system_new(arena, problem);
   int n = lam_system_size(system);
   const int *columns = lam_system_columns(system);
-  lam_factor *L =
-      lam_factor_analyze(arena, n, columns, lam_system_rows(system), lam_system_order(system));
-  double *values = LAM_NEW(arena, double, columns[n]), *gradient = LAM_NEW(arena, double, n),
-         *step = LAM_NEW(arena, double, n);
-  for (int i = 0; i < repeats; i++) {
-    double t = lam_bench_clock();
-    lam_system_assemble(system, problem->x, (lam_weights){1, 1, 0}, values, gradient);
-    lam_system_damp(system, 1e-6, values);
-    lam_factor_refactor(L, values);
-    lam_factor_solve(L, gradient, step);
-    lam_system_residual(system, problem->x, (lam_weights){1, 1, 0});
-    times[0][i] = lam_bench_clock() - t;
-    t = lam_bench_clock();
-    lam_factor_refactor(L, values);
-    times[1][i] = lam_bench_clock() - t;
-    lam_factor_solve(L, gradient, step);
-    times[2][i] = lam_bench_clock() - t;
-    times[3][i] = times[0][i] / times[2][i];
-  }
-  comparison c = {.stats = lam_factor_get_stats(L)};
-  c.iteration = spread_of(times[0]);
-  c.factor = spread_of(times[1]);
-  c.alone = spread_of(times[2]);
-  c.ratio = spread_of(times[3]).median * 1e-3;
-  return c;
+  return (equations){.problem = problem,
+                     .system = system,
+                     .factor = lam_factor_analyze(arena, n, columns, lam_system_rows(system),
+                                                  lam_system_order(system)),
+                     .values = LAM_NEW(arena, double, columns[n]),
+                     .gradient = LAM_NEW(arena, double, n),
+                     .step = LAM_NEW(arena, double, n)};
 }
 
+/* All that the solver does in one step: assemble, damp, factorize, solve, look at the residual. */
+static void iterate(const equations *e) {
+  static const lam_weights weights = {1, 1, 0};
+  lam_system_assemble(e->system, e->problem->x, weights, e->values, e->gradient);
+  lam_system_damp(e->system, 1e-6, e->values);
+  lam_factor_refactor(e->factor, e->values);
+  lam_factor_solve(e->factor, e->gradient, e->step);
+  lam_system_residual(e->system, e->problem->x, weights);
+}
+
+/* An iteration, then CHOLMOD's part of it alone on the same matrix; pairs see the same noise of the
+ * machine. */
+static comparison compare(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
+  double iteration[repeats], factor[repeats], alone[repeats], ratio[repeats];
+  equations e = equations_of(arena, job, net);
+  for (int i = 0; i < repeats; i++) {
+    double since = lam_bench_clock();
+    iterate(&e);
+    iteration[i] = lam_bench_clock() - since;
+
+    since = lam_bench_clock();
+    lam_factor_refactor(e.factor, e.values);
+    factor[i] = lam_bench_clock() - since;
+    lam_factor_solve(e.factor, e.gradient, e.step);
+    alone[i] = lam_bench_clock() - since;
+    ratio[i] = iteration[i] / alone[i];
+  }
+
+  /* A ratio has no unit: the milliseconds of a spread are taken back. */
+  return (comparison){.iteration = spread_of(iteration),
+                      .factor = spread_of(factor),
+                      .alone = spread_of(alone),
+                      .ratio = spread_of(ratio).median * 1e-3,
+                      .stats = lam_factor_get_stats(e.factor)};
+}
+
+/* The least times, and the ratio. The caller owns the object. */
+static json_t *comparison_json(const char *net, int vertices, const comparison *c) {
+  return json_pack("{s:s, s:s, s:i, s:f, s:f, s:f, s:f, s:f}", "section", "factor", "net", net,
+                   "vertices", vertices, "iteration_ms", c->iteration.least, "factor_ms",
+                   c->factor.least, "cholmod_ms", c->alone.least, "ratio", c->ratio, "flops",
+                   c->stats.flops);
+}
+
+/* Medians, with the least times beside them. */
+static void print_comparison(FILE *out, int vertices, const comparison *c) {
+  fprintf(out,
+          "asymptotic net with right angles, %d vertices, %d times, median (least)\n"
+          "  one iteration %.1f (%.1f) ms; CHOLMOD on the same matrix: factorize %.1f (%.1f), with "
+          "solve %.1f (%.1f); %.2f Gflop, %.1f M entries\n"
+          "  one iteration / CHOLMOD factorize + solve: %.2f (median of %d pairs)\n",
+          vertices, repeats, c->iteration.median, c->iteration.least, c->factor.median,
+          c->factor.least, c->alone.median, c->alone.least, c->stats.flops * 1e-9,
+          c->stats.entries * 1e-6, c->ratio, repeats);
+}
+
+/* On the asymptotic net of bench_thesis.c. False with errors. */
 static bool factor_of_iteration(lam_bench *bench) {
   static const lam_bench_case what = {.kind = "asymptotic",
                                       .keys = "orthogonal: yes",
@@ -77,27 +133,18 @@ static bool factor_of_iteration(lam_bench *bench) {
   lam_net_job job;
   lam_net net;
   if (!lam_bench_net(bench, &what, &job, &net)) return false;
+
   comparison c = compare(bench->arena, &job, &net);
-  if (bench->json) {
-    json_array_append_new(
-        bench->json, json_pack("{s:s, s:s, s:i, s:f, s:f, s:f, s:f, s:f}", "section", "factor",
-                               "net", what.kind, "vertices", net.mesh.vertex_count, "iteration_ms",
-                               c.iteration.least, "factor_ms", c.factor.least, "cholmod_ms",
-                               c.alone.least, "ratio", c.ratio, "flops", c.stats.flops));
-    return true;
-  }
-  fprintf(bench->out,
-          "asymptotic net with right angles, %d vertices, %d times, median (least)\n"
-          "  one iteration %.1f (%.1f) ms; CHOLMOD on the same matrix: factorize %.1f (%.1f), with "
-          "solve %.1f (%.1f); "
-          "%.2f Gflop, %.1f M entries\n"
-          "  one iteration / CHOLMOD factorize + solve: %.2f (median of %d pairs)\n",
-          net.mesh.vertex_count, repeats, c.iteration.median, c.iteration.least, c.factor.median,
-          c.factor.least, c.alone.median, c.alone.least, c.stats.flops * 1e-9,
-          c.stats.entries * 1e-6, c.ratio, repeats);
+  if (bench->json)
+    json_array_append_new(bench->json, comparison_json(what.kind, net.mesh.vertex_count, &c));
+  else
+    print_comparison(bench->out, net.mesh.vertex_count, &c);
   return true;
 }
 
+/* ---- hard meshes ---- */
+
+/* Planar faces on a mesh of the folder, from where it is. False with errors. */
 static bool hard_mesh(lam_bench *bench, const char *mesh) {
   lam_bench_case what = {.kind = "planar-quads",
                          .keys = "",
@@ -107,6 +154,7 @@ static bool hard_mesh(lam_bench *bench, const char *mesh) {
                          .repeats = 3};
   lam_bench_result r;
   if (!lam_bench_run_case(bench, &what, &r)) return false;
+
   if (bench->json)
     json_array_append_new(bench->json, lam_bench_json("meshes", &what, &r));
   else

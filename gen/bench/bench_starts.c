@@ -1,6 +1,8 @@
+/* The table of starts: a line per kind of net, to be added with the kind (CONTRIBUTING.md). Read by
+ * bench_sizes.c. */
 #include "bench/bench.h"
 
-/* Patches on which every net of the kind exists at any fineness. */
+/* Patches on which the nets below exist at any fineness. */
 #define SADDLE "{kind: enneper, u: [-0.8, 0.8], v: [-0.8, 0.8]}"
 #define DOME "{kind: monge, x2: -0.3, y2: -0.2, xy: 0.05}"
 #define PATCH "{kind: torus, u: [0, 0.6], v: [-0.9, 0.9]}"
@@ -10,6 +12,7 @@
 #define BELLOWS "{kind: unduloid, neck: 0.4, u: [-1, 1], v: [-1, 1]}"
 #define TRUMPET "{kind: pseudosphere}"
 
+/* Kind, keys, surface, noise, aspect, measure. */
 const lam_bench_start lam_bench_starts[] = {
     {"asymptotic", "orthogonal: yes", SADDLE, .05, 1, "star_planarity"},
     {"planar-quads", "", RING, .05, 1, "face_planarity"},

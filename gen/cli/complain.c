@@ -1,4 +1,4 @@
-/* Printing messages. Called by all verbs. */
+/* Printing messages. Called by main.c, arguments.c and the verbs. */
 #include "cli/complain.h"
 
 #include <stdarg.h>
@@ -6,13 +6,14 @@
 #include <stdio.h>
 #include <string.h>
 
-/* True when a location such as "--set net.grid" says the key already. */
+/* Whether a file such as "--set net.grid", which stands for an override, says the key already. */
 static bool names_key(const char *file, const char *key) {
   size_t length = strlen(file), ending = strlen(key);
   return length > ending && file[length - ending - 1] == ' ' &&
          strcmp(file + length - ending, key) == 0;
 }
 
+/* Parts that a message does not have are left out. */
 int lam_complain(const lam_session *session) {
   for (const lam_error *error = lam_session_messages(session); error; error = error->next) {
     const lam_location *at = &error->location;
@@ -28,6 +29,7 @@ int lam_complain(const lam_session *session) {
   return 2;
 }
 
+/* Printed as it comes: the text may be longer than any buffer. */
 int lam_complain_plain(int status, const char *format, ...) {
   va_list arguments;
   fputs("lamella: ", stderr);
@@ -38,6 +40,7 @@ int lam_complain_plain(int status, const char *format, ...) {
   return status;
 }
 
+/* Without files and lines: these messages are about what was typed. */
 int lam_complain_verb(int status, const char *verb, const lam_session *session, const char *after) {
   for (const lam_error *error = lam_session_messages(session); error; error = error->next)
     fprintf(stderr, "lamella: %s: %s\n", verb, error->text);

@@ -1,4 +1,4 @@
-/* The program: finds the verb and hands it its arguments. */
+/* The program `lamella`: finds the verb and hands it its arguments. */
 #include "cli/complain.h"
 #include "cli/verbs.h"
 #include <lamella/lamella.h>
@@ -9,10 +9,11 @@
 #include <string.h>
 #include <unistd.h>
 
+/* A line of the help. */
 typedef struct verb {
   const char *name;
   int (*run)(int argc, char **argv);
-  const char *doc;
+  const char *doc; /* arguments, two blanks or more, a few words */
 } verb;
 
 static const verb verbs[] = {
@@ -31,22 +32,27 @@ static const verb verbs[] = {
 };
 enum { verb_count = sizeof verbs / sizeof *verbs };
 
+/* All verbs in two columns: how each is called, and what it does. Returns the exit status 0. */
 static int help(FILE *out) {
   fputs("lamella makes surfaces, discrete nets and the parts they are built from.\n\nusage: "
         "lamella VERB ...\n",
         out);
+
   for (int i = 0; i < verb_count; i++) {
     const char *gap = strstr(verbs[i].doc, "  ");
     int width = gap ? (int)(gap - verbs[i].doc) : 0;
     while (gap && *gap == ' ') gap++;
+
     char call[64];
     snprintf(call, sizeof call, "%s %.*s", verbs[i].name, width, verbs[i].doc);
     fprintf(out, "  %-28s %s\n", call, gap ? gap : "");
   }
+
   fputs("\nlamella VERB --help explains a verb. Start with: lamella list designs\n", out);
   return 0;
 }
 
+/* The version and the kernels it runs on. Returns the exit status 0. */
 static int version(void) {
   printf("lamella %s\nlinear algebra: CHOLMOD on OpenBLAS, %s kernels\n", LAM_VERSION,
          lam_kernels());
@@ -54,23 +60,33 @@ static int version(void) {
   return 0;
 }
 
+/* Says that there is no such verb, and which one may have been meant. Returns the exit status. */
+static int complain_unknown(const char *given) {
+  const char *names[verb_count + 1];
+  for (int i = 0; i < verb_count; i++) names[i] = verbs[i].name;
+  names[verb_count] = NULL;
+
+  const char *near = lam_did_you_mean(given, names);
+  return lam_complain_plain(2, "%s is not a verb%s%s%s; see lamella --help", given,
+                            near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
+}
+
+/* The first argument is a verb, or asks for help or the version. */
 int main(int argc, char **argv) {
+  /* Before anything else: it may start the program anew. */
   lam_kernels_restart(argv);
   setlocale(LC_ALL, "C");
+
   if (argc < 2) {
     help(stderr);
     return 2;
   }
-  if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0)
+  const char *given = argv[1];
+  if (strcmp(given, "--help") == 0 || strcmp(given, "-h") == 0 || strcmp(given, "help") == 0)
     return help(stdout);
-  if (strcmp(argv[1], "--version") == 0) return version();
-  for (int i = 0; i < verb_count; i++)
-    if (strcmp(argv[1], verbs[i].name) == 0) return verbs[i].run(argc - 1, argv + 1);
+  if (strcmp(given, "--version") == 0) return version();
 
-  const char *names[verb_count + 1];
-  for (int i = 0; i < verb_count; i++) names[i] = verbs[i].name;
-  names[verb_count] = NULL;
-  const char *near = lam_did_you_mean(argv[1], names);
-  return lam_complain_plain(2, "%s is not a verb%s%s%s; see lamella --help", argv[1],
-                            near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
+  for (int i = 0; i < verb_count; i++)
+    if (strcmp(given, verbs[i].name) == 0) return verbs[i].run(argc - 1, argv + 1);
+  return complain_unknown(given);
 }

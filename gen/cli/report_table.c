@@ -1,8 +1,9 @@
+/* Reports and measures as text. Called by verb_build.c and verb_measure.c. */
 #include "cli/report_table.h"
 
 #include <math.h>
 
-/* The minimum of a stage that keeps none is left blank. */
+/* In 16 columns. The minimum of a stage that keeps none is left blank. */
 static void print_min(const lam_measure *m, FILE *out) {
   if (isnan(m->min) && !isnan(m->max))
     fprintf(out, "%-16s", "");
@@ -10,6 +11,7 @@ static void print_min(const lam_measure *m, FILE *out) {
     fprintf(out, "min %-11.5g ", m->min);
 }
 
+/* A line per measure; "undefined" for one that no element has a value of. */
 void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
   for (int i = 0; i < count; i++) {
     const lam_measure *m = &measures[i];
@@ -18,16 +20,20 @@ void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
       fprintf(out, "undefined\n");
       continue;
     }
+
     print_min(m, out);
     fprintf(out, "mean %-11.5g max %-11.5g count %ld%s%s\n", m->mean, m->max, m->count,
             *m->unit ? "  " : "", m->unit);
   }
 }
 
+/* A line per stage with its verdict, its measures and notes under it. */
 void lam_report_print(const lam_report *report, bool timings, FILE *out) {
   for (int i = 0; i < report->stage_count; i++) {
     const lam_stage *stage = &report->stages[i];
     fprintf(out, "%s", stage->name);
+
+    /* A stage that does not iterate has nothing to say when all is well. */
     if (stage->iterations >= 0)
       fprintf(out, ": %s%s, %d iterations, residual %.1e",
               stage->converged ? "" : "NOT CONVERGED: ", stage->reason, stage->iterations,
@@ -36,6 +42,7 @@ void lam_report_print(const lam_report *report, bool timings, FILE *out) {
       fprintf(out, ": FAILED: %s", stage->reason);
     if (timings && stage->seconds > 0) fprintf(out, " (%.2f s)", stage->seconds);
     fputc('\n', out);
+
     lam_measures_print(stage->measures, stage->measure_count, out);
     for (int k = 0; k < stage->note_count; k++) fprintf(out, "  %s\n", stage->notes[k]);
   }

@@ -1,13 +1,13 @@
-/* The report as a short table for a person. */
+/* The report as a short table for a person. Called by verb_build.c and verb_measure.c. */
 #ifndef LAM_CLI_REPORT_TABLE_H
 #define LAM_CLI_REPORT_TABLE_H
 
 #include <lamella/model.h>
 #include <stdio.h>
 
-/* timings: with the seconds of every stage. */
+/* Writes all stages of a report to out. timings: with the seconds of every stage. */
 void lam_report_print(const lam_report *report, bool timings, FILE *out);
-/* Measures alone, indented by two. */
+/* Writes count measures alone, a line each, indented by two. */
 void lam_measures_print(const lam_measure *measures, int count, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* lamella bench: how fast the library is on this machine. */
+/* lamella bench: how fast the library is on this machine. Called by main.c. */
 #include "cli/arguments.h"
 #include "cli/complain.h"
 #include "cli/verb_run.h"
@@ -16,6 +16,7 @@ static const char usage[] =
     "  FOLDER           has bench_wavy_69x70.obj and bench_torus_69x70.obj (default: "
     "tests/cases/nets)";
 
+/* Reads the request and runs it; an unknown kind of net is a wrong use, told like one. */
 static int bench(lam_session *session, int argc, char **argv) {
   const char *most = NULL;
   lam_bench_options options = {.folder = "tests/cases/nets"};
@@ -31,6 +32,7 @@ static int bench(lam_session *session, int argc, char **argv) {
   if (most) options.most = (int)strtol(most, &end, 10);
   if (most && (*end || options.most < 1))
     return lam_complain_plain(2, "bench: --most %s; expected a number of vertices", most);
+
   lam_status done = lam_bench_run(session, &options, stdout);
   if (done == LAM_BAD_INPUT) return lam_complain_verb(2, "bench", session, NULL);
   return lam_verb_status(session, done);

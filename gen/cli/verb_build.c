@@ -1,4 +1,4 @@
-/* lamella build DESIGN: from a design file to a folder of files. */
+/* lamella build DESIGN: from a design file to a folder of files. Called by main.c. */
 #include "cli/arguments.h"
 #include "cli/complain.h"
 #include "cli/report_table.h"
@@ -20,7 +20,7 @@ static const char usage[] =
     "  --quiet          prints errors only\n"
     "  --timings        adds the seconds of every stage to the report";
 
-/* The report of a model and what became of its files. */
+/* Prints the report of a model and what became of its files. */
 static void tell_result(const lam_model *model, const lam_written *written,
                         const lam_write_options *options) {
   lam_report_print(model->report, options->timings, stdout);
@@ -30,13 +30,15 @@ static void tell_result(const lam_model *model, const lam_written *written,
            written->removed);
 }
 
-/* Writes the model and returns the exit status: 1 when a stage did not converge or the disk fails. */
+/* Writes the model and returns the exit status: 1 when a stage did not converge or when writing
+ * fails, whatever the reason. */
 static int write_model(lam_session *session, const lam_model *model,
                        const lam_write_options *options, bool quiet) {
   lam_written written;
   lam_status status = lam_model_write(session, model, options, &written);
   for (const lam_error *note = lam_session_notes(session); note; note = note->next)
     fprintf(stderr, "lamella: %s\n", note->text);
+
   if (status != LAM_OK) {
     lam_verb_status(session, status);
     return 1;
@@ -45,8 +47,27 @@ static int write_model(lam_session *session, const lam_model *model,
   return lam_report_converged(model->report) ? 0 : 1;
 }
 
+/* Builds the model and writes it, told about at the terminal. Returns the exit status. */
+static int build_design(lam_session *session, const lam_design *design, lam_write_options *options,
+                        bool quiet) {
+  lam_terminal terminal;
+  lam_progress progress = lam_terminal_progress(&terminal, quiet);
+  lam_session_set_progress(session, &progress);
+
+  const lam_model *model;
+  lam_status built = lam_design_build(session, design, &model);
+  if (built != LAM_OK) {
+    lam_terminal_clear(&progress);
+    return lam_verb_status(session, built);
+  }
+
+  if (!options->folder) options->folder = lam_design_name(design);
+  return write_model(session, model, options, quiet);
+}
+
+/* Everything that is wrong with the request is said before anything is computed. */
 static int build(lam_session *session, int argc, char **argv) {
-  const char *overrides[argc], *path;
+  const char *overrides[argc], *path; /* no more overrides than arguments */
   bool quiet = false;
   lam_design_source source = {.overrides = overrides};
   lam_write_options options = {0};
@@ -62,26 +83,11 @@ static int build(lam_session *session, int argc, char **argv) {
   int count, status = lam_arguments_read(&arguments, argc, argv, &path, &count);
   if (status >= 0) return status;
 
-  /* Everything that is wrong with the request is said before anything is computed. */
   const lam_design *design;
-  const lam_model *model;
   source.path = path;
   status = lam_verb_status(session, lam_write_options_check(session, &options));
-  if (status) return status;
-  status = lam_verb_status(session, lam_design_read(session, &source, &design));
-  if (status) return status;
-
-  lam_terminal terminal;
-  lam_progress progress = lam_terminal_progress(&terminal, quiet);
-  lam_session_set_progress(session, &progress);
-  lam_status built = lam_design_build(session, design, &model);
-  if (built != LAM_OK) {
-    lam_terminal_clear(&progress);
-    return lam_verb_status(session, built);
-  }
-  if (!options.folder) options.folder = lam_design_name(design);
-  status = write_model(session, model, &options, quiet);
-  return status;
+  if (!status) status = lam_verb_status(session, lam_design_read(session, &source, &design));
+  return status ? status : build_design(session, design, &options, quiet);
 }
 
 int lam_verb_build(int argc, char **argv) { return lam_verb_run(build, argc, argv); }

@@ -1,5 +1,5 @@
 /* lamella check DESIGN [--set KEY=VALUE]...: reads a design, finds everything wrong with it, and
- * says what would be built. */
+ * says what would be built. Called by main.c. */
 #include "cli/arguments.h"
 #include "cli/verb_run.h"
 #include "cli/verbs.h"
@@ -9,8 +9,9 @@
 
 static const char usage[] = "usage: lamella check DESIGN.yaml [--set KEY=VALUE]...";
 
+/* Mistakes go to stderr, the description of a design without any to stdout. */
 static int check(lam_session *session, int argc, char **argv) {
-  const char *overrides[argc], *path;
+  const char *overrides[argc], *path; /* no more overrides than arguments */
   lam_design_source source = {.overrides = overrides};
   const lam_option table[] = {{"--set", .values = overrides, .count = &source.override_count},
                               {NULL}};

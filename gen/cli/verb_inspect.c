@@ -1,4 +1,5 @@
-/* lamella inspect FILE: whether a triangle mesh is a valid solid, and its measures. */
+/* lamella inspect FILE: whether a triangle mesh is a valid solid, and its measures. Called by
+ * main.c. */
 #include "cli/arguments.h"
 #include "cli/solid_facts.h"
 #include "cli/verb_run.h"
@@ -20,28 +21,38 @@ static const char usage[] =
     "\n"
     "exit code: 0 a valid solid; 1 open, not oriented or self-intersecting; 2 bad input";
 
+/* ---- text ---- */
+
+static const char *yes_or_no(bool value) { return value ? "yes" : "no"; }
+
 static void print_point(const char *name, lam_vec3 p, double scale, const char *unit) {
   printf("%-20s %.6g %.6g %.6g %s\n", name, p.x * scale, p.y * scale, p.z * scale, unit);
 }
 
-/* Lengths in millimeters for what is smaller than a meter, else in meters. */
-static void print_facts(const lam_solid_facts *f) {
-  lam_vec3 size = {f->max.x - f->min.x, f->max.y - f->min.y, f->max.z - f->min.z};
-  bool small = sqrt(size.x * size.x + size.y * size.y + size.z * size.z) < 1;
-  const char *unit = small ? "mm" : "m";
-  double s = small ? 1000 : 1;
+/* How the triangles hang together. */
+static void print_topology(const lam_solid_facts *f) {
   printf("%-20s %d\n%-20s %d\n", "triangles", f->triangles, "vertices", f->vertices);
-  printf("%-20s %s", "closed", f->closed ? "yes" : "no");
+  printf("%-20s %s", "closed", yes_or_no(f->closed));
   if (f->boundary_edges) printf(", %d boundary edges", f->boundary_edges);
   if (f->nonmanifold_edges) printf(", %d edges with more than two triangles", f->nonmanifold_edges);
-  printf("\n%-20s %s\n%-20s %s\n", "oriented", f->oriented ? "yes" : "no", "manifold",
-         f->manifold ? "yes" : "no");
+
+  printf("\n%-20s %s\n%-20s %s\n", "oriented", yes_or_no(f->oriented), "manifold",
+         yes_or_no(f->manifold));
   printf("%-20s %ld\n", "self-intersections", f->self_intersections);
   printf("%-20s %d\n%-20s %d\n", "components", f->components, "Euler number", f->euler);
   if (f->genus >= 0)
     printf("%-20s %d\n", "genus", f->genus);
   else
     printf("%-20s -\n", "genus");
+}
+
+/* Lengths in millimeters for what is smaller than a meter, else in meters. */
+static void print_measures(const lam_solid_facts *f) {
+  lam_vec3 size = {f->max.x - f->min.x, f->max.y - f->min.y, f->max.z - f->min.z};
+  bool small = sqrt(size.x * size.x + size.y * size.y + size.z * size.z) < 1;
+  const char *unit = small ? "mm" : "m";
+  double s = small ? 1000 : 1;
+
   printf("%-20s %.9g %s^3\n", "volume", f->volume * s * s * s, unit);
   printf("%-20s %.9g %s^2\n", "area", f->area * s * s, unit);
   print_point("centroid", f->centroid, s, unit);
@@ -49,11 +60,21 @@ static void print_facts(const lam_solid_facts *f) {
   printf("%-20s xx %.6g, yy %.6g, zz %.6g, xy %.6g, yz %.6g, zx %.6g %s^5\n", "inertia",
          inertia[0] * s5, inertia[1] * s5, inertia[2] * s5, inertia[3] * s5, inertia[4] * s5,
          inertia[5] * s5, unit);
+
   print_point("bounding box, from", f->min, s, unit);
   print_point("bounding box, to", f->max, s, unit);
   print_point("size", size, s, unit);
 }
 
+static void print_text(const lam_solid_facts *facts, bool valid) {
+  print_topology(facts);
+  print_measures(facts);
+  printf("%-20s %s\n", "valid solid", yes_or_no(valid));
+}
+
+/* ---- JSON ---- */
+
+/* The file and the verdict, then all facts. */
 static void print_json(const char *path, const lam_solid_facts *facts, bool valid) {
   json_t *object = json_pack("{s:s,s:b}", "file", path, "valid", valid);
   json_t *measured = lam_facts_json(facts);
@@ -62,6 +83,9 @@ static void print_json(const char *path, const lam_solid_facts *facts, bool vali
   lam_json_print(object);
 }
 
+/* ---- the verb ---- */
+
+/* 0: a valid solid; 1: none; otherwise the status of a file that cannot be read. */
 static int inspect(lam_session *session, int argc, char **argv) {
   const char *path;
   bool json = false;
@@ -75,12 +99,10 @@ static int inspect(lam_session *session, int argc, char **argv) {
   if (inspected != LAM_OK) return lam_verb_status(session, inspected);
 
   bool valid = facts.closed && facts.oriented && facts.self_intersections == 0;
-  if (json) {
+  if (json)
     print_json(path, &facts, valid);
-  } else {
-    print_facts(&facts);
-    printf("%-20s %s\n", "valid solid", valid ? "yes" : "no");
-  }
+  else
+    print_text(&facts, valid);
   return valid ? 0 : 1;
 }
 

@@ -1,4 +1,4 @@
-/* lamella list [SECTION]: what there is, by name and title. */
+/* lamella list [SECTION]: what there is, by name and title. Called by main.c. */
 #include "cli/arguments.h"
 #include "cli/complain.h"
 #include "cli/verb_run.h"
@@ -10,6 +10,7 @@
 static const char usage[] =
     "usage: lamella list [surfaces|nets|constraints|measures|parts|materials|formats|designs]";
 
+/* Without a section: all of them. */
 static int list(lam_session *session, int argc, char **argv) {
   const char *section = NULL, *text;
   lam_arguments arguments = {usage, NULL, 0, 1, "a section"};

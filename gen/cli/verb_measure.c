@@ -1,4 +1,4 @@
-/* lamella measure MESH.obj: independent measures of any quad mesh. */
+/* lamella measure MESH.obj: independent measures of any quad mesh. Called by main.c. */
 #include "cli/arguments.h"
 #include "cli/complain.h"
 #include "cli/report_table.h"
@@ -13,19 +13,21 @@
 #include <stdlib.h>
 
 static const char usage[] =
-    "usage: lamella measure MESH.obj [--as NET] [--angle DEGREES] [--reference FILE] [--axis "
-    "PX,PY,PZ,DX,DY,DZ]\n"
+    "usage: lamella measure MESH.obj [--as NET] [--angle DEGREES] [--reference FILE] "
+    "[--axis PX,PY,PZ,DX,DY,DZ]\n"
     "                       [--map MEASURE -o FILE] [--json]\n"
     "  --as NET          only the measures that prove this kind of net (see lamella list nets)\n"
-    "  --angle DEGREES   the crossing angle that angle_deviation is measured against (default: "
-    "90)\n"
+    "  --angle DEGREES   the crossing angle that angle_deviation is measured against "
+    "(default: 90)\n"
     "  --reference FILE  a mesh (OBJ or STL) that distances are measured to\n"
     "  --axis NUMBERS    point (meters) and direction of the axis of a surface of revolution\n"
-    "  --map MEASURE     draws a color map (see lamella list measures) into the file after -o: "
-    ".svg, .png or .glb\n"
+    "  --map MEASURE     draws a color map (see lamella list measures) into the file after "
+    "-o: .svg, .png or .glb\n"
     "  --json            prints JSON";
 
-/* count numbers separated by commas, and nothing else. */
+/* ---- options ---- */
+
+/* Reads count numbers separated by commas. False: text is anything else. */
 static bool read_numbers(const char *text, int count, double *numbers) {
   for (int i = 0; i < count; i++) {
     char *end;
@@ -36,7 +38,8 @@ static bool read_numbers(const char *text, int count, double *numbers) {
   return true;
 }
 
-/* The options that are numbers: the angle in degrees, the axis as six numbers. */
+/* Puts the angle (degrees; NULL: 90) and the axis (six numbers; NULL: none) into the task, the
+ * latter by pointer to numbers. Returns -1, or the exit status after a complaint. */
 static int read_options(const char *angle, const char *axis, double numbers[6],
                         lam_measure_task *task) {
   double degrees = 90;
@@ -50,15 +53,19 @@ static int read_options(const char *angle, const char *axis, double numbers[6],
         2, "measure: --axis %s; expected six numbers: a point and a direction, PX,PY,PZ,DX,DY,DZ",
         axis);
   if (axis) task->axis = numbers;
+
   if (!task->map != !task->map_path)
     return lam_complain_plain(2, "measure: --map MEASURE and -o FILE are given together\n%s",
                               usage);
   return -1;
 }
 
+/* ---- results ---- */
+
 /* null: undefined, or not a number. */
 static json_t *number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
 
+/* The measures by name, beside a few facts of the mesh. */
 static void print_json(const lam_measure_task *task, const lam_measured *measured) {
   json_t *list = json_object();
   for (int i = 0; i < measured->measure_count; i++) {
@@ -68,6 +75,7 @@ static void print_json(const lam_measure_task *task, const lam_measured *measure
                                   number(m->mean), "max", number(m->max), "unit", m->unit, "count",
                                   (json_int_t)m->count));
   }
+
   json_t *root = json_pack("{s:s, s:i, s:i, s:i, s:o}", "mesh", task->name, "vertices",
                            task->mesh->vertex_count, "faces", task->mesh->face_count,
                            "irregular_vertices", measured->irregular_vertices, "measures", list);
@@ -76,11 +84,26 @@ static void print_json(const lam_measure_task *task, const lam_measured *measure
   json_decref(root);
 }
 
+/* A line about the mesh, then the measures. */
 static void print_text(const lam_measure_task *task, const lam_measured *measured) {
   printf("%s: %d vertices, %d faces, %d boundary loops, %d irregular vertices\n", task->name,
          task->mesh->vertex_count, task->mesh->face_count, measured->boundary_loops,
          measured->irregular_vertices);
   lam_measures_print(measured->measures, measured->measure_count, stdout);
+}
+
+/* ---- the verb ---- */
+
+/* Reads the meshes of the task, whose names are checked first; reference: a file, or NULL. */
+static lam_status read_meshes(lam_session *session, const char *reference, lam_mesh *mesh,
+                              lam_trimesh *triangles, lam_measure_task *task) {
+  lam_status status = lam_measure_task_check(session, task);
+  if (status == LAM_OK) status = lam_read_mesh(session, task->name, mesh);
+  task->mesh = mesh;
+  if (status != LAM_OK || !reference) return status;
+
+  task->reference = triangles;
+  return lam_read_triangles(session, reference, triangles);
 }
 
 /* Reads the meshes of the task and measures. A map that cannot be written is status 1. */
@@ -89,18 +112,13 @@ static int run_task(lam_session *session, lam_measure_task *task, const char *re
   lam_mesh mesh;
   lam_trimesh triangles;
   lam_measured measured;
-  lam_status status = lam_measure_task_check(session, task);
-  if (status == LAM_OK) status = lam_read_mesh(session, task->name, &mesh);
-  task->mesh = &mesh;
-  if (status == LAM_OK && reference) {
-    status = lam_read_triangles(session, reference, &triangles);
-    task->reference = &triangles;
-  }
+  lam_status status = read_meshes(session, reference, &mesh, &triangles, task);
   if (status != LAM_OK) return lam_verb_status(session, status);
 
   status = lam_measure_net(session, task, &measured);
   if (status == LAM_IO) return lam_complain(session), 1;
   if (status != LAM_OK) return lam_verb_status(session, status);
+
   if (json)
     print_json(task, &measured);
   else
@@ -108,6 +126,7 @@ static int run_task(lam_session *session, lam_measure_task *task, const char *re
   return 0;
 }
 
+/* The name of the mesh is its file. */
 static int measure(lam_session *session, int argc, char **argv) {
   const char *reference = NULL, *angle = NULL, *axis = NULL;
   double numbers[6];
@@ -121,6 +140,7 @@ static int measure(lam_session *session, int argc, char **argv) {
                               {"-o", .value = &task.map_path},
                               {"--json", .flag = &json},
                               {NULL}};
+
   lam_arguments arguments = {usage, table, 1, 1, "a mesh file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &task.name, &count);
   if (status < 0) status = read_options(angle, axis, numbers, &task);

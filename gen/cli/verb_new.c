@@ -1,5 +1,5 @@
 /* lamella new DESIGN [-o FILE]: copies a shipped design to start from, with the files that it
- * names. */
+ * names. Called by main.c. */
 #include "cli/arguments.h"
 #include "cli/complain.h"
 #include "cli/verb_run.h"
@@ -11,6 +11,7 @@
 static const char usage[] =
     "usage: lamella new DESIGN [-o FILE]   (lamella list designs shows the names)";
 
+/* The paths that were written go to stdout. */
 static int new_design(lam_session *session, int argc, char **argv) {
   const char *name, *target = NULL;
   const lam_option table[] = {{"-o", .value = &target}, {NULL}};
@@ -23,6 +24,7 @@ static int new_design(lam_session *session, int argc, char **argv) {
   if (copied == LAM_BAD_INPUT) return lam_complain_verb(2, "new", session, NULL);
   if (copied == LAM_IO) return lam_complain_verb(1, "new", session, NULL);
   if (copied != LAM_OK) return lam_verb_status(session, copied);
+
   for (int i = 0; files[i]; i++) puts(files[i]);
   return 0;
 }

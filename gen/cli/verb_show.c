@@ -1,4 +1,4 @@
-/* lamella show NAME: the reference page of anything that is listed. */
+/* lamella show NAME: the reference page of anything that is listed. Called by main.c. */
 #include "cli/arguments.h"
 #include "cli/complain.h"
 #include "cli/verb_run.h"
@@ -10,6 +10,7 @@
 static const char usage[] = "usage: lamella show NAME   (a name from lamella list, or design for "
                             "the keys of a design file)";
 
+/* An unknown name is a wrong use, told like one. */
 static int show(lam_session *session, int argc, char **argv) {
   const char *name, *text;
   lam_arguments arguments = {usage, NULL, 1, 1, "one name"};

@@ -1,5 +1,6 @@
-/* The verbs of the program. Each takes its arguments (argv[0] is the verb) and returns the exit
- * status: 0 done, 1 something failed or differs, 2 wrong input or wrong use. */
+/* The verbs of the program, each in its verb_*.c; called by main.c. Each takes its arguments
+ * (argv[0] is the verb) and returns the exit status: 0 done, 1 something failed or differs, 2 wrong
+ * input or wrong use. */
 #ifndef LAM_CLI_VERBS_H
 #define LAM_CLI_VERBS_H
 

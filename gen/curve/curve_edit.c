@@ -1,7 +1,7 @@
 /* Exact changes of spline curves, made on homogeneous points by the functions of
  * curve/bspline/bspline.h. lam_spline_curve_part is called by mesh/line_curve.c, _map by
  * surf/spline; the others are the curve kernel's face to its users
- * (tests/unit/test_curve_edit.c). */
+ * (tests/unit/curve/test_curve_edit.c). */
 #include "curve/curve.h"
 
 /* The spline to work on: of dimension 4 only when the curve has weights. */

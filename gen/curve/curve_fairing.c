@@ -1,6 +1,6 @@
 /* Fairing of curves: by an energy, and by removing and reinserting knots. The report of both is
  * measured by curve_fairness.c. Part of the curve kernel, called by its users only
- * (tests/unit/test_curve_fit.c). */
+ * (tests/unit/curve/test_curve_fit.c). */
 #include "core/numeric/dense.h"
 #include "curve/bspline/basis.h"
 #include "curve/bspline/gram.h"

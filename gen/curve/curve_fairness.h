@@ -1,7 +1,7 @@
 /* How fair a curve is (curve_fairness.c), and fairing (curve_fairing.c). A planar curve is fair
  * when its curvature is continuous, it has no more inflections than needed, and its curvature
  * changes little. Part of the curve kernel, called by its users only
- * (tests/unit/test_curve_fit.c). */
+ * (tests/unit/curve/test_curve_fit.c). */
 #ifndef LAM_CURVE_CURVE_FAIRNESS_H
 #define LAM_CURVE_CURVE_FAIRNESS_H
 

@@ -1,6 +1,6 @@
 /* How smoothly two curves join: every condition is measured, then the largest order is found up to
  * which all hold. Part of the curve kernel, called by its users only
- * (tests/unit/test_curve_geometry.c). */
+ * (tests/unit/curve/test_curve_geometry.c). */
 #include "curve/curve_join.h"
 #include "curve/curve.h"
 #include "curve/frenet.h"

@@ -1,5 +1,5 @@
 /* How smoothly two curves join. Part of the curve kernel, called by its users only
- * (tests/unit/test_curve_geometry.c); surf/spline/surface_join.c is its like for surfaces. */
+ * (tests/unit/curve/test_curve_geometry.c); surf/spline/surface_join.c is its like for surfaces. */
 #ifndef LAM_CURVE_CURVE_JOIN_H
 #define LAM_CURVE_CURVE_JOIN_H
 

@@ -1,6 +1,6 @@
 /* Differential geometry of space curves at a point. The curvature vector is used by
  * curve/curve_fairness.c and curve/curve_join.c; the frame is part of the curve kernel and called
- * by its users only (tests/unit/test_curve_geometry.c). */
+ * by its users only (tests/unit/curve/test_curve_geometry.c). */
 #include "curve/frenet.h"
 #include <float.h>
 

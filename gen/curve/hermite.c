@@ -1,6 +1,6 @@
 /* Cubic pieces in their three forms, and polynomials in powers and Bernstein polynomials. The
  * Bezier form is called by surf/spline/ferguson.c; the rest is part of the curve kernel and
- * called by its users only (tests/unit/test_curve_geometry.c). */
+ * called by its users only (tests/unit/curve/test_curve_geometry.c). */
 #include "curve/hermite.h"
 
 /* F0, F1, G0, G1 in factored form: free of cancellation at both ends. */

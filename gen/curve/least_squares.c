@@ -1,5 +1,6 @@
 /* Least squares with splines. lam_fit_knots is called by surf/spline/spline_near.c; the fits of
- * curves are part of the curve kernel, called by its users only (tests/unit/test_curve_fit.c). */
+ * curves are part of the curve kernel, called by its users only
+ * (tests/unit/curve/test_curve_fit.c). */
 #include "curve/least_squares.h"
 #include "curve/bspline/banded.h"
 #include "curve/bspline/basis.h"

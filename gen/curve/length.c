@@ -1,5 +1,5 @@
 /* Arc length by adaptive quadrature, and its inverse. Part of the curve kernel, called by its
- * users only (tests/unit/test_curve_geometry.c, test_surface_fairing.c). */
+ * users only (tests/unit/curve/test_curve_geometry.c, test_surface_fairing.c). */
 #include "curve/length.h"
 #include "core/numeric/quadrature.h"
 #include <stdbool.h>

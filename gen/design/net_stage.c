@@ -175,6 +175,7 @@ static void report_net(const lam_build *build, const lam_net_kind *kind,
 static bool solve_net(lam_build *build, const lam_net_kind *kind, const lam_net_common *common) {
   const lam_design *design = build->design;
   lam_stage *stage = lam_build_stage(build, "net");
+  if (!lam_net_method_check(kind, common, design->net.location, build->errors)) return false;
   lam_net_job job = {kind, design->net.params, common, NULL, design->net.location, build->progress};
   if (common->reference_given) job.reference = build->inputs->reference;
 

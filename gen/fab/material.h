@@ -1,5 +1,6 @@
 /* The materials that parts can be made of: one table. Read by the rows of parts (fab/parts,
- * fab/lamella) through their `material` key, and by library/sections.c, which lists them. */
+ * fab/lamella) through their `material` key, and by library/reference/sections.c, which lists
+ * them. */
 #ifndef LAM_FAB_MATERIAL_H
 #define LAM_FAB_MATERIAL_H
 

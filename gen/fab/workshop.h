@@ -48,7 +48,7 @@ typedef struct lam_part_kind {
 } lam_part_kind;
 
 /* All kinds of parts (fab/parts/part_kinds.c), read by design/design_keys.c and
- * library/sections.c. */
+ * library/reference/sections.c. */
 extern const lam_registry lam_part_kinds;
 
 /* Each appends one item to an array of the workshop. What is passed is copied shallowly:

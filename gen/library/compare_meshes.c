@@ -1,13 +1,15 @@
-/* Solids in files: measuring one, comparing two. Called through lamella/solid.h. */
+/* Solids in files: measuring one, comparing two. Called through lamella/solid.h, by
+ * cli/verb_inspect.c and cli/diff_meshes.c. */
 #include "core/solid/solid.h"
 #include "core/solid/triangles.h"
 #include "library/read_files.h"
 #include "library/session_state.h"
 
-/* Points sampled over the larger of two surfaces. */
+/* How many points are sampled on the larger of two surfaces, about. */
 static const double samples = 50000;
 
-/* Reads a file as triangles, welds and measures it. False with messages. */
+/* Reads a file as triangles, merges vertices at the same coordinates, and measures it. False with
+ * messages. */
 static bool read_solid(lam_session *session, const char *path, bool self_intersections,
                        lam_trimesh *mesh, lam_solid_facts *facts) {
   lam_location location = {.file = path};
@@ -20,6 +22,7 @@ static bool read_solid(lam_session *session, const char *path, bool self_interse
                   "has no triangles with three different corners");
     return false;
   }
+
   lam_status status = lam_solid_measure(mesh, self_intersections, facts);
   if (status == LAM_NO_MEMORY) lam_arena_exhausted(session->arena);
   if (status != LAM_OK)
@@ -27,6 +30,9 @@ static bool read_solid(lam_session *session, const char *path, bool self_interse
   return status == LAM_OK;
 }
 
+/* ---- one ---- */
+
+/* The status is that of the messages. */
 static lam_status inspect(lam_session *session, const char *path, bool self_intersections,
                           lam_solid_facts *facts) {
   lam_trimesh mesh;
@@ -34,6 +40,7 @@ static lam_status inspect(lam_session *session, const char *path, bool self_inte
   return LAM_OK;
 }
 
+/* Declared, as all functions of the face here, in include/lamella/solid.h. */
 lam_status lam_inspect(lam_session *session, const char *path, bool self_intersections,
                        lam_solid_facts *facts) {
   *facts = (lam_solid_facts){0};
@@ -41,6 +48,9 @@ lam_status lam_inspect(lam_session *session, const char *path, bool self_interse
   return lam_session_leave(session, inspect(session, path, self_intersections, facts));
 }
 
+/* ---- two ---- */
+
+/* The spacing is that of squares which share the larger area among the samples. */
 static lam_status compare(lam_session *session, const char *const paths[2],
                           lam_mesh_comparison *c) {
   lam_trimesh mesh[2];
@@ -58,6 +68,7 @@ static lam_status compare(lam_session *session, const char *const paths[2],
   return status;
 }
 
+/* All zero when a file cannot be read. */
 lam_status lam_compare_meshes(lam_session *session, const char *a, const char *b,
                               lam_mesh_comparison *comparison) {
   *comparison = (lam_mesh_comparison){0};

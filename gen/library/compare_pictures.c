@@ -1,8 +1,12 @@
-/* Comparing two PNG pictures. Called through lamella/solid.h. */
+/* Comparing two PNG pictures. Called through lamella/solid.h, by cli/diff_pictures.c. */
 #include "core/image.h"
 #include "library/session_state.h"
 #include <lamella/solid.h>
 
+_Static_assert(LAM_PIXEL_STEP == lam_image_step, "the face tells the step of core/image.h");
+
+/* mask_path: NULL, or where the differing pixels are drawn. Pictures of different sizes have their
+ * sizes and hashes alone. */
 static lam_status compare(lam_session *session, const char *const paths[2], const char *mask_path,
                           lam_picture_comparison *c) {
   lam_image images[2], mask = {0};
@@ -25,9 +29,11 @@ static lam_status compare(lam_session *session, const char *const paths[2], cons
   c->share = difference.share;
   c->largest = difference.max;
   c->psnr = difference.psnr;
+
   return mask_path ? lam_image_write(mask_path, &mask, &session->errors) : LAM_OK;
 }
 
+/* Declared in include/lamella/solid.h. */
 lam_status lam_compare_pictures(lam_session *session, const char *a, const char *b,
                                 const char *mask, lam_picture_comparison *comparison) {
   *comparison = (lam_picture_comparison){0};

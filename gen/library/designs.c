@@ -1,4 +1,5 @@
-/* Designs of a session: reading, checking, describing, building, copying shipped ones. */
+/* Designs of a session: reading, checking, describing, building, copying shipped ones. Called
+ * through lamella/design.h. */
 #include "core/file.h"
 #include "design/pipeline.h"
 #include "design/tree.h"
@@ -11,6 +12,8 @@
 
 /* ---- reading ---- */
 
+/* Parses a design and checks what it names; make: makes the surface too. *out is set when there was
+ * nothing to complain about. */
 static lam_status read_design(lam_session *session, const lam_design_source *source, bool make,
                               const lam_design **out) {
   lam_design *design = LAM_NEW(session->arena, lam_design, 1);
@@ -19,6 +22,7 @@ static lam_status read_design(lam_session *session, const lam_design_source *sou
   return LAM_OK;
 }
 
+/* Declared, as all functions of the face here, in include/lamella/design.h. */
 lam_status lam_design_read(lam_session *session, const lam_design_source *source,
                            const lam_design **design) {
   *design = NULL;
@@ -26,6 +30,7 @@ lam_status lam_design_read(lam_session *session, const lam_design_source *source
   return lam_session_leave(session, read_design(session, source, false, design));
 }
 
+/* Longer than reading: the surface is made. */
 lam_status lam_design_check(lam_session *session, const lam_design_source *source,
                             const lam_design **design) {
   *design = NULL;
@@ -37,6 +42,8 @@ const char *lam_design_name(const lam_design *design) { return design->name; }
 
 /* ---- building ---- */
 
+/* Reads what the design names, then runs the pipeline. What the model was made from is remembered
+ * for make rules (write/make_rule.c). */
 static lam_status build(lam_session *session, const lam_design *design, const lam_model **out) {
   lam_inputs inputs;
   lam_model *model = LAM_NEW(session->arena, lam_model, 1);
@@ -47,11 +54,13 @@ static lam_status build(lam_session *session, const lam_design *design, const la
       !lam_pipeline_run(session->arena, design, &inputs, &session->progress, &session->errors,
                         model))
     return LAM_OK; /* the messages say what is wrong */
+
   session->origins = origin;
   *out = model;
   return LAM_OK;
 }
 
+/* The model stays NULL unless all of it was built. */
 lam_status lam_design_build(lam_session *session, const lam_design *design,
                             const lam_model **model) {
   *model = NULL;
@@ -59,6 +68,7 @@ lam_status lam_design_build(lam_session *session, const lam_design *design,
   return lam_session_leave(session, build(session, design, model));
 }
 
+/* Stages that do not iterate are converged unless they failed. */
 bool lam_report_converged(const lam_report *report) {
   for (int i = 0; i < report->stage_count; i++)
     if (!report->stages[i].converged) return false;
@@ -67,12 +77,14 @@ bool lam_report_converged(const lam_report *report) {
 
 /* ---- shipped designs ---- */
 
+/* By its ending: the other files that designs name are meshes, points and the like. */
 static bool is_design(const char *name) {
   const char *ending = strrchr(name, '.');
   return ending && strcmp(ending, ".yaml") == 0;
 }
 
-/* Reads file i of the copies and, of a design, adds the files that it names. */
+/* Reads file i of the copies; when it is a design, the files that it names are added to the copies.
+ * False with messages. */
 static bool read_copy(lam_session *session, lam_new_files *copies, int i) {
   lam_new_file *file = &copies->files[i];
   if (!lam_new_file_read(session->arena, file, &session->errors)) return false;
@@ -87,6 +99,8 @@ static bool read_copy(lam_session *session, lam_new_files *copies, int i) {
   return true;
 }
 
+/* Copies grow while they are read: the design, then what it names, then what designs among those
+ * name. */
 static lam_status copy_design(lam_session *session, const char *name, const char *target,
                               const char *const **files) {
   lam_errors *errors = &session->errors;
@@ -104,9 +118,11 @@ static lam_status copy_design(lam_session *session, const char *name, const char
     if (!read_copy(session, &copies, i) ||
         !lam_new_file_allowed(session->arena, &copies.files[i], i > 0, errors))
       return LAM_OK;
+
   return lam_new_files_write(session->arena, &copies, errors, files);
 }
 
+/* A status without one of its own is that of the messages. */
 lam_status lam_design_copy(lam_session *session, const char *name, const char *target,
                            const char *const **files) {
   *files = NULL;

@@ -1,8 +1,10 @@
-/* Unknown names get the nearest known one as a suggestion. Called by designs.c and reference.c. */
+/* Unknown names get the nearest known one as a suggestion. Called by designs.c,
+ * reference/reference.c and bench/bench.c. */
 #include "library/names.h"
 
 #include <string.h>
 
+/* The hint is for a name that is not near to any. */
 bool lam_name_known(lam_errors *errors, const char *const *names, const char *given,
                     const char *what, const char *hint) {
   for (int i = 0; names[i]; i++)

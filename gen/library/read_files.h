@@ -1,5 +1,5 @@
-/* Files of meshes, surfaces, curves and points, in any format that is read: the one place that opens
- * them. Called by the readers of lamella/format.h and by sources.c. */
+/* Files of meshes, surfaces, curves and points, in any format that is read: the one place that
+ * opens them. Called by the readers of lamella/format.h and by sources.c. */
 #ifndef LAM_LIBRARY_READ_FILES_H
 #define LAM_LIBRARY_READ_FILES_H
 

@@ -1,6 +1,7 @@
-/* One place for what a design refers to outside itself. A name in a design lies beside the design's
- * file. A design whose net starts from another design's net makes that design be built first; a chain
- * of them that comes back to its beginning, or is too long, is an error. Called by designs.c. */
+/* One place for what a design refers to outside itself. A name in a design lies beside the
+ * design's file. A design whose net starts from another design's net makes that design be built
+ * first; a chain of them that comes back to its beginning, or is too long, is an error. Called by
+ * designs.c. */
 #include "library/sources.h"
 #include "core/file.h"
 #include "core/grow.h"

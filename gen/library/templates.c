@@ -17,8 +17,8 @@ static bool is_folder(const char *path) {
   return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* The folder that this code lies in: that of the shared library, or of the program. The loader knows
- * a program only by the name that it was called with. */
+/* The folder that this code lies in: that of the shared library, or of the program. The loader
+ * knows a program only by the name that it was called with. */
 static const char *code_folder(lam_arena *arena) {
   Dl_info info;
   char path[PATH_MAX];

@@ -9,8 +9,8 @@
  * share/lamella/templates beside the bin or lib folder that it is installed in. NULL when there is
  * none. */
 const char *lam_template_dir(lam_arena *arena);
-/* folder: of the templates, or NULL. The names of the shipped designs (designs/NAME.yaml without the ending), NULL-terminated and
- * sorted; empty when there are none. */
+/* folder: of the templates, or NULL. The names of the shipped designs (designs/NAME.yaml without
+ * the ending), NULL-terminated and sorted; empty when there are none. */
 const char *const *lam_template_designs(lam_arena *arena, const char *folder);
 /* The path of a shipped design's file. */
 const char *lam_template_design_path(lam_arena *arena, const char *folder, const char *name);

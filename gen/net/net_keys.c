@@ -1,5 +1,5 @@
 /* The keys that every net accepts beside its own: lam_net_common_keys. Read by
- * design/design_keys.c, library/registries.c (the reference pages) and cli/verb_check.c. */
+ * design/design_keys.c, library/reference/sections.c (the reference pages) and cli/verb_check.c. */
 #include "net/handles.h"
 
 /* Words of the choices, in the order of their enums in net/net_kind.h. line_choices: after auto

@@ -45,6 +45,12 @@ typedef struct lam_net_kind {
 
 extern const lam_registry lam_nets; /* of lam_net_kind */
 
+/* Whether the kind has a form for the method that the keys ask for (net/kinds/nets.c); otherwise a
+ * message that names the nets that do. */
+struct lam_net_common;
+bool lam_net_method_check(const lam_net_kind *kind, const struct lam_net_common *common,
+                          lam_location location, lam_errors *errors);
+
 /* ---- keys that every net accepts: filled from the tables of net/net_keys.c ---- */
 
 typedef enum lam_boundary {

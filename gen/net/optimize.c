@@ -8,6 +8,7 @@
 #include "net/multilevel.h"
 #include "net/snapshots.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -226,28 +227,6 @@ static void add_handles(const optimization *o, lam_scope *scope) {
   lam_closeness_add(scope, "handle", LAM_HARD, 1, count, vertices, targets);
 }
 
-/* The names of all nets that have a form with auxiliary unknowns, with commas between. */
-static const char *nets_of_thesis(lam_arena *arena) {
-  const char *names = "";
-  for (int i = 0; i < lam_nets.count; i++)
-    if (((const lam_net_kind *)lam_nets.rows[i])->constrain_thesis)
-      names = lam_arena_printf(arena, "%s%s%s", names, *names ? ", " : "", lam_nets.rows[i]->name);
-  return names;
-}
-
-/* The net's own constraints in the form of the thesis. Auxiliary unknowns start from where the
- * vertices of the problem are now. */
-static void constrain_by_thesis(const optimization *o, lam_scope *scope) {
-  const lam_net_job *job = o->job;
-  if (job->kind->constrain_thesis)
-    job->kind->constrain_thesis(scope, job->params, job->location);
-  else
-    lam_error_add(o->errors, job->location, "net.solver",
-                  "thesis, but %s has no form with auxiliary unknowns; expected lamella, or one of "
-                  "the nets %s",
-                  job->kind->head.name, nets_of_thesis(o->arena));
-}
-
 /* Everything that stays to the end: hard constraints, and the reference as a soft one. What a
  * constraint keeps (a length, the boundary curve) is that of the start: these are added while the
  * problem stands there. Then it moves to x, where the solve begins. */
@@ -255,6 +234,7 @@ static void add_constraints(const optimization *o, lam_scope *scope) {
   const lam_net_job *job = o->job;
   lam_problem *problem = scope->problem;
   bool thesis = o->keys->solver.method == LAM_METHOD_THESIS;
+  assert(!thesis || job->kind->constrain_thesis);
   if (!thesis) job->kind->constrain(scope, job->params, job->location);
   for (int i = 0; i < o->keys->constraints.count; i++) {
     const lam_row *row = (const lam_row *)o->keys->constraints.items + i;
@@ -263,7 +243,7 @@ static void add_constraints(const optimization *o, lam_scope *scope) {
   hold_boundary(o, scope);
 
   memcpy(problem->x, o->x, sizeof *o->x * (size_t)problem->vertex_count);
-  if (thesis) constrain_by_thesis(o, scope);
+  if (thesis) job->kind->constrain_thesis(scope, job->params, job->location);
   add_handles(o, scope);
   if (job->reference) lam_con_proximity.add(scope, NULL, o->keys->reference.weight, job->location);
 }

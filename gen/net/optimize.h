@@ -39,7 +39,8 @@ typedef struct lam_net_result {
  *   result  verdict, iterations, drift, frames, measures; owned by arena
  *
  * Returns false when the input is wrong; net has not moved then. Not converging is a result,
- * not an error. */
+ * not an error.
+ * Precondition: lam_net_method_check. */
 bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, lam_errors *errors,
                       lam_net_result *result);
 

@@ -1,5 +1,5 @@
 /* OpenBLAS and OpenMP: settings saved and restored, kernels named. Called by factor_cholmod.c,
- * library/kernels.c and bench/. */
+ * library/host_kernels.c and bench/. */
 #include "solve/kernels.h"
 
 #include <omp.h>

@@ -1,12 +1,12 @@
-/* The dense kernels behind factorizations: which ones are in use, and the host's settings of them kept
- * as they are. The one place that knows OpenBLAS and OpenMP. Called by factor_cholmod.c, and through
- * library/kernels.c by programs. */
+/* The dense kernels behind factorizations: which ones are in use, and the host's settings of them
+ * kept as they are. The one place that knows OpenBLAS and OpenMP. Called by factor_cholmod.c, and
+ * through library/host_kernels.c by programs. */
 #ifndef LAM_SOLVE_KERNELS_H
 #define LAM_SOLVE_KERNELS_H
 
-/* Around every call that may run dense kernels: one thread, so that results are the same bytes on any
- * number of processors. The settings are the whole process's: they are saved, and restored by the end;
- * calls of other threads of this library wait meanwhile. Nothing in between may jump. */
+/* Around every call that may run dense kernels: one thread, so that results are the same bytes on
+ * any number of processors. The settings are the whole process's: they are saved, and restored by
+ * the end; calls of other threads of this library wait meanwhile. Nothing in between may jump. */
 void lam_kernels_begin(void);
 void lam_kernels_end(void);
 

@@ -1,6 +1,6 @@
 /* Kinds of surfaces out of definitions: the keys become a key table of numbers, the callback is
- * wrapped, and its derivatives are compared with difference quotients. Called by library/surfaces.c
- * when a program adds a surface, and by lam_surface_make. */
+ * wrapped, and its derivatives are compared with difference quotients. Called by
+ * library/own_surfaces.c when a program adds a surface, and by lam_surface_make. */
 #include "surf/defined.h"
 #include "surf/surface_kind.h"
 

@@ -1,5 +1,5 @@
 /* Surfaces that a program defines (lamella/surface.h), as kinds like all others. Called by
- * library/surfaces.c and by lam_surface_make. */
+ * library/own_surfaces.c and by lam_surface_make. */
 #ifndef LAM_SURF_DEFINED_H
 #define LAM_SURF_DEFINED_H
 

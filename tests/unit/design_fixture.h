@@ -12,7 +12,8 @@
 
 #include <cmocka.h>
 
-/* The model of a design that names no files, with overrides. Fails the test with the first message. */
+/* The model of a design that names no files, with overrides. Fails the test with the first
+ * message. */
 static inline lam_model design_built(lam_arena *arena, const char *path, int count,
                                      const char *const *overrides) {
   lam_errors errors = {.arena = arena};

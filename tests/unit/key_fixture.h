@@ -1,5 +1,5 @@
-/* Messages of the design language, one after the other, for the files tests/unit/test_keys.c and
- * test_design.c. */
+/* Messages of the design language, one after the other, for the files
+ * tests/unit/design/test_keys.c and test_design.c. */
 #ifndef TESTS_UNIT_KEY_FIXTURE_H
 #define TESTS_UNIT_KEY_FIXTURE_H
 

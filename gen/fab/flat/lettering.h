@@ -16,7 +16,7 @@ double lam_lettering_width(const char *text, double height);
 void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_vec2 origin,
                        double angle, double height);
 /* The characters that the alphabet has, as a string: for the tests
- * (tests/unit/test_lettering.c). */
+ * (tests/unit/fab/test_lettering.c). */
 const char *lam_lettering_characters(void);
 
 #endif

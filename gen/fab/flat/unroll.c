@@ -60,7 +60,7 @@ void lam_unroll_angles(const lam_vec3 *points, const lam_vec3 *m, int n, lam_vec
     lam_vec3 edge = lam_sub(points[i + 1], points[i]);
     if (i > 0)
       heading +=
-          lam_angle(lam_sub(points[i - 1], points[i]), m[i]) + lam_angle(edge, m[i]) - LAM_PI;
+          LAM_PI - lam_angle(lam_sub(points[i - 1], points[i]), m[i]) - lam_angle(edge, m[i]);
     flat[i + 1] = ahead(flat[i], heading, lam_length(edge));
   }
 }

@@ -16,7 +16,7 @@ void lam_unroll(const lam_vec3 *points, const lam_vec3 *m, int n, lam_vec2 *flat
 /* Only the angles between the edges and m at every point: the polyline turns by pi - (angle
  * back) - (angle ahead). On a net with planar stars and their normals as m this is exactly
  * straight. Not called by the program: the tests hold it against lam_unroll
- * (tests/unit/test_unroll.c). */
+ * (tests/unit/fab/test_unroll.c). */
 void lam_unroll_angles(const lam_vec3 *points, const lam_vec3 *m, int n, lam_vec2 *flat);
 /* The strip between points -+ height/2 m, every quad split along the diagonal from lower start to
  * upper end: its triangles laid side by side; flat are the middles of the sections. */

@@ -1,12 +1,14 @@
 /* A session: what one thread does with the library, its memory and its messages.
  *
- * Everything that a session gives (designs, models, texts, meshes) belongs to it and lives until
- * lam_session_clear or lam_session_free. Memory that runs out ends a call with LAM_NO_MEMORY; what
- * earlier calls gave stays good, and the session can go on.
+ * Memory: everything that a session gives (designs, models, texts, meshes) belongs to it and lives
+ * until lam_session_clear or lam_session_free. Memory that runs out ends a call with LAM_NO_MEMORY;
+ * what earlier calls gave stays good, and the session can go on.
  *
  * Threads: a session belongs to one thread at a time; different sessions run in different threads.
- * Nothing of the host is left changed by a call: no thread counts, locale, signal handlers or
- * floating-point modes. A call that starts from a callback of the same session is a mistake. */
+ * What a session gave may be read by any thread while it lives. Nothing of the host is left changed
+ * by a call: no thread counts, locale, signal handlers or floating-point modes (lam_kernels_restart
+ * alone starts the program anew). A call that starts from a callback of the same session is a
+ * mistake. */
 #ifndef LAMELLA_SESSION_H
 #define LAMELLA_SESSION_H
 
@@ -17,39 +19,53 @@ LAM_BEGIN_DECLS
 
 typedef struct lam_session lam_session;
 
-/* A new session in *session, or LAM_NO_MEMORY and NULL. Free it with lam_session_free. */
+/* ---- life ---- */
+
+/* A new session in *session, to be freed with lam_session_free; NULL with LAM_NO_MEMORY, the only
+ * failure. */
 LAM_API lam_status lam_session_new(lam_session **session);
 /* Frees the session and all that it gave. NULL is allowed. */
 LAM_API void lam_session_free(lam_session *session);
-/* Frees all that the session gave, and its messages; surfaces that were added and settings stay. */
+/* Frees all that the session gave, and its messages and notes; surfaces that were added and
+ * settings stay. For programs that build one design after the other. */
 LAM_API void lam_session_clear(lam_session *session);
 
-/* The messages of the last call in the order in which they arose: the first one, or NULL when there
- * is none. They live as long as what the session gives. */
+/* ---- messages ---- */
+
+/* The messages of the last call that took the session and returned a status, in the order in which
+ * they arose: the first one, or NULL when there is none. They live as long as what the session
+ * gives. */
 LAM_API const lam_error *lam_session_messages(const lam_session *session);
 /* What the last call left out and why, such as a picture because POV-Ray is missing: notes are no
- * errors. The first one, or NULL. */
+ * errors. The first one, or NULL. They live as long. */
 LAM_API const lam_error *lam_session_notes(const lam_session *session);
 
-/* Whom long calls tell what they are doing; progress is copied. progress may be NULL: nobody. */
+/* ---- settings ---- */
+
+/* Whom long calls tell what they are doing; the struct is copied, its context is kept by pointer.
+ * progress may be NULL: nobody. */
 LAM_API void lam_session_set_progress(lam_session *session, const lam_progress *progress);
 
 /* The folder of templates: designs to start from, OpenSCAD modules, POV-Ray scenes. By default
  * $LAMELLA_TEMPLATES, or templates/ beside the build folder or share/lamella/templates beside the
- * lib folder that the library lies in. folder is copied; NULL: the default again. LAM_NO_MEMORY. */
+ * lib folder that the library lies in. folder is copied, and not looked at until it is needed;
+ * NULL: the default again. LAM_NO_MEMORY is the only failure. */
 LAM_API lam_status lam_session_set_templates(lam_session *session, const char *folder);
 
 /* ---- dense kernels ----
  * Factorizations call BLAS. An OpenBLAS that does not know the processor runs at half its speed;
  * results agree to rounding, not to the last bit. */
 
-/* The kernels in use ("Zen", "Haswell", ...). A static text. */
+/* The kernels in use ("Zen", "Haswell", ...). A static text. Any thread. */
 LAM_API const char *lam_kernels(void);
-/* One line of advice when they do not suit the processor, otherwise NULL. A static text. */
+/* One line of advice when they do not suit the processor, otherwise NULL. A static text. Any
+ * thread. */
 LAM_API const char *lam_kernels_advice(void);
-/* OpenBLAS chooses when it is loaded, so a program that wants better kernels has to start anew: this
- * does so (execv, argv as given to main), once, and only when the environment does not choose.
- * Returns when there is nothing to gain. To be called first in main, or not at all. */
+/* OpenBLAS chooses when it is loaded, so a program that wants better kernels has to start anew:
+ * this does so, once, by setting OPENBLAS_CORETYPE and executing the program with argv as main got
+ * it. Returns when there is nothing to gain, when the environment chooses already, or when the
+ * program cannot be started again. To be called first in main, before there are threads, or not at
+ * all. */
 LAM_API void lam_kernels_restart(char **argv);
 
 LAM_END_DECLS

@@ -9,6 +9,8 @@
 
 LAM_BEGIN_DECLS
 
+/* ---- vectors ---- */
+
 typedef struct lam_vec2 {
   double x, y;
 } lam_vec2;
@@ -17,30 +19,36 @@ typedef struct lam_vec3 {
   double x, y, z;
 } lam_vec3;
 
-/* Faces are counterclockwise seen from outside (solids) or from the side of the normal (nets). */
+/* ---- meshes ---- */
+
+/* Triangles as three indices of vertices each, from 0: counterclockwise seen from outside. */
 typedef struct lam_trimesh {
   int vertex_count;
-  lam_vec3 *vertices;
+  lam_vec3 *vertices; /* vertex_count */
   int triangle_count;
-  int (*triangles)[3];
+  int (*triangles)[3]; /* triangle_count x 3 */
 } lam_trimesh;
 
-/* A quad mesh; a face with three corners has corners[3] == -1. */
+/* A quad mesh: four indices of vertices per face, from 0, counterclockwise seen from the side of
+ * the normal; a face with three corners has corners[3] == -1. */
 typedef struct lam_mesh {
   int vertex_count;
-  lam_vec3 *vertices;
+  lam_vec3 *vertices; /* vertex_count */
   int face_count;
-  int (*faces)[4];
+  int (*faces)[4]; /* face_count x 4 */
 } lam_mesh;
 
+/* A line of a net, from vertex to vertex. */
 typedef struct lam_polyline {
-  int family; /* 0 or 1; -1 for a boundary loop */
-  bool closed;
+  int family;  /* 0 or 1; -1 for a boundary loop */
+  bool closed; /* the last vertex is joined to the first, and is not repeated */
   int count;
-  int *vertices;
+  int *vertices; /* count indices of the net's vertices */
 } lam_polyline;
 
-/* A spline curve x(t) = sum N_i(t) w_i P_i / sum N_i(t) w_i. */
+/* ---- splines ---- */
+
+/* A spline curve x(t) = sum N_i(t) w_i P_i / sum N_i(t) w_i, with B-splines N_i. */
 typedef struct lam_spline_curve {
   int degree, count;
   const double *knots;    /* count + degree + 1 numbers that do not decrease */
@@ -65,14 +73,18 @@ typedef struct lam_named_curve {
   lam_spline_curve spline;
 } lam_named_curve;
 
-/* How a long computation tells what it is doing. tell may be NULL.
- *   stage     a few words; NULL when all is done
+/* ---- progress ---- */
+
+/* How a long computation tells what it is doing. tell may be NULL: nobody is told.
+ *   context   as below
+ *   stage     a few words; NULL at the end of lam_model_write, when all is done
  *   fraction  0 to 1, negative when unknown
- *   detail    for instance "iteration 3, residual 1e-5"
- * It is called from the thread that called the library, and must not call the session. */
+ *   detail    for instance "iteration 3, residual 1e-5"; may be empty
+ * The texts live during the call only. It is called from the thread that called the library, and
+ * must not call the session. */
 typedef struct lam_progress {
   void (*tell)(void *context, const char *stage, double fraction, const char *detail);
-  void *context;
+  void *context; /* handed to tell */
 } lam_progress;
 
 LAM_END_DECLS

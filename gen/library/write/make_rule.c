@@ -1,5 +1,5 @@
-/* A make rule with one target and its files, each also as a rule of its own: a file that is gone later
- * must not stop make. Called by models.c. */
+/* A make rule with one target and its files, each also as a rule of its own: a file that is gone
+ * later must not stop make. Called by models.c. */
 #include "library/write/make_rule.h"
 #include "core/file.h"
 #include "core/text.h"

@@ -1,5 +1,5 @@
-/* The formats one after the other: names, bytes, files, templates beside them, the picture. Called by
- * models.c. */
+/* The formats one after the other: names, bytes, files, templates beside them, the picture. Called
+ * by models.c. */
 #include "library/write/write_files.h"
 #include "core/file.h"
 #include "core/grow.h"

@@ -31,3 +31,22 @@ NETS(DECLARE)
 static const lam_row_head *const rows[] = {NETS(POINT)};
 
 const lam_registry lam_nets = {"nets", "net", rows, sizeof rows / sizeof *rows};
+
+/* The names of all nets that have a form with auxiliary unknowns, with commas between. */
+static const char *nets_of_thesis(lam_arena *arena) {
+  const char *names = "";
+  for (int i = 0; i < lam_nets.count; i++)
+    if (((const lam_net_kind *)lam_nets.rows[i])->constrain_thesis)
+      names = lam_arena_printf(arena, "%s%s%s", names, *names ? ", " : "", lam_nets.rows[i]->name);
+  return names;
+}
+
+bool lam_net_method_check(const lam_net_kind *kind, const lam_net_common *common,
+                          lam_location location, lam_errors *errors) {
+  if (common->solver.method != LAM_METHOD_THESIS || kind->constrain_thesis) return true;
+  lam_error_add(errors, location, "net.solver",
+                "thesis, but %s has no form with auxiliary unknowns; expected lamella, or one of "
+                "the nets %s",
+                kind->head.name, nets_of_thesis(errors->arena));
+  return false;
+}

@@ -1,5 +1,5 @@
 /* Measures as color maps, and the check of names that a person gives. Called by
- * design/pipeline_run.c, library/references.c and cli/verb_measure.c. */
+ * design/pipeline_run.c, library/sources.c and cli/verb_measure.c. */
 #include "net/measures/measure_map.h"
 #include "net/measures/layout.h"
 #include "net/measures/measuring.h"

@@ -1,5 +1,5 @@
 /* Measures as color maps, and lists of measures that a person gives. Used by
- * design/pipeline_run.c, library/references.c and cli/verb_measure.c. */
+ * design/pipeline_run.c, library/sources.c and cli/verb_measure.c. */
 #ifndef LAM_NET_MEASURES_MEASURE_MAP_H
 #define LAM_NET_MEASURES_MEASURE_MAP_H
 

@@ -19,7 +19,8 @@
 
 enum { LAM_LEAST_AREA_MAX_DEGREE = 12 };
 
-/* ---- refinement: the same surface with more freedom (single steps: surf/spline_edit.h) ---- */
+/* ---- refinement: the same surface with more freedom (single steps: surf/spline/spline_edit.h)
+ * ---- */
 /* Halves knot spans until none is longer than the domain / spans. Spaces for spans 1, 2, 4, 8 ...
  * are nested. */
 lam_spline_surface lam_spline_surface_refine(lam_arena *arena, const lam_spline_surface *surface,

@@ -61,7 +61,7 @@ typedef struct bars_keys {
   double diameter, rim, wall, gap, offset;
   int profile, edges, material, second;
   bool second_given;
-} bars_keys; /* as in gen/fab/bars.c */
+} bars_keys; /* as in gen/fab/parts/bars.c */
 
 static int both[2] = {0, 1};
 static bars_keys row_keys(void) {

@@ -131,7 +131,7 @@ typedef struct panels_keys {
   double thickness, gap, offset, flat;
   int side, faces, material, second;
   bool second_given;
-} panels_keys; /* as in gen/fab/panels.c */
+} panels_keys; /* as in gen/fab/parts/panels.c */
 
 enum { ALL, CHECKER, BANDS_0 };
 

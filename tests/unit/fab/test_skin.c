@@ -7,7 +7,7 @@
 #include "core/solid/triangles.h"
 #include "fab/parts/skin.h"
 
-typedef struct skin_keys { /* as in gen/fab/skin.c */
+typedef struct skin_keys { /* as in gen/fab/parts/skin.c */
   int from, every, subdivisions, pieces, material;
   double thickness, offset;
 } skin_keys;
