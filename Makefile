@@ -32,7 +32,7 @@ packages_build := gcc g++ libc6-dev libsuitesparse-dev libopenblas-dev libcgal-d
                   libpolyclipping-dev libyaml-dev libjansson-dev libpng-dev
 packages_show  := povray povray-includes
 packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm \
-                  libocct-data-exchange-dev
+                  libocct-data-exchange-dev pkgconf
 packages_pics  := $(packages_show) netpbm libjpeg-turbo-progs
 
 cli_src := $(wildcard gen/cli/*.c)

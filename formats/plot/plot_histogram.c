@@ -72,10 +72,12 @@ static double tick_step(double span, int count) {
   return 10 * power;
 }
 
-/* Writes a tick's value with enough digits to tell neighboring ticks apart. */
+/* Writes a tick's value with enough digits to tell neighboring ticks apart; whole numbers below a
+ * million in full, never 1e+02. */
 static void tick_label(char text[32], double value, double step) {
   double size = fabs(value) / step;
   int digits = size > 1 ? (int)ceil(log10(size + .5)) + 1 : 1;
+  if (step > 1 && digits < 6) digits = 6;
   snprintf(text, 32, "%.*g", digits > 15 ? 15 : digits, fabs(value) < step * 1e-6 ? 0 : value);
 }
 

@@ -5,16 +5,16 @@
 enum { deepest_unit = 8 };
 
 /* The size of an SI_UNIT with this name (".METRE.", ".RADIAN."), in meters or radians: that of
- * its prefix, the first item; 0 when the name is another one or the prefix is not known. The name
- * is the second item, or the third where there are three. */
+ * its prefix; 0 when the name is another one or the prefix is not known. Prefix and name are the
+ * only items, or stand behind the dimensions where there are three. */
 static double si_size(const lam_step_value *si, const char *si_name) {
   static const struct {
     const char *prefix;
     double size;
   } prefixes[] = {{".NANO.", 1e-9}, {".MICRO.", 1e-6}, {".MILLI.", 1e-3}, {".CENTI.", 1e-2},
                   {".DECI.", 1e-1}, {".DECA.", 1e1},   {".HECTO.", 1e2},  {".KILO.", 1e3}};
-  const lam_step_value *prefix = lam_step_item(si, 0);
-  const lam_step_value *name = lam_step_item(si, lam_step_has_items(si, 3) ? 2 : 1);
+  int first = lam_step_has_items(si, 3) ? 1 : 0;
+  const lam_step_value *prefix = lam_step_item(si, first), *name = lam_step_item(si, first + 1);
   if (!name || !lam_word_is(name->word, si_name)) return 0;
 
   if (prefix->type == LAM_STEP_NOTHING) return 1;

@@ -3,7 +3,8 @@
 #include "library/session_state.h"
 #include <lamella/solid.h>
 
-_Static_assert(LAM_PIXEL_STEP == lam_image_step, "the face tells the step of core/image.h");
+_Static_assert((int)LAM_PIXEL_STEP == (int)lam_image_step,
+               "the face tells the step of core/image.h");
 
 /* mask_path: NULL, or where the differing pixels are drawn. Pictures of different sizes have their
  * sizes and hashes alone. */

@@ -44,7 +44,7 @@ void lam_new_files_add(lam_arena *arena, lam_new_files *files, const char *name)
 
 /* ---- reading and comparing ---- */
 
-/* No larger than a design may be: data files of shipped designs are smaller too. */
+/* The limit of designs holds for the files that they name too. */
 bool lam_new_file_read(lam_arena *arena, lam_new_file *file, lam_errors *errors) {
   return lam_file_read(arena, file->source, (size_t)LAM_DESIGN_MAX_BYTES, errors, &file->bytes,
                        &file->count) == LAM_OK;

@@ -1,4 +1,5 @@
-/* Surfaces through the face: reading one by its keys, evaluating it, adding one's own. */
+/* Surfaces through the face: reading one by its keys, evaluating it, adding one's own. Called
+ * through lamella/surface.h. */
 #include "core/grow.h"
 #include "design/design.h"
 #include "library/read_files.h"
@@ -9,7 +10,8 @@
 
 /* ---- reading and evaluating ---- */
 
-/* A surface by what would stand after `surface:`, on one line. */
+/* A surface by what would stand after `surface:`: as the design of nothing else. False with
+ * messages. */
 static bool read_surface(lam_session *session, const char *keys, lam_surface *surface) {
   lam_design *design = LAM_NEW(session->arena, lam_design, 1);
   const char *text =
@@ -21,17 +23,20 @@ static bool read_surface(lam_session *session, const char *keys, lam_surface *su
       !lam_sources_read(session, design, &origin, &inputs))
     return false;
 
+  /* What the file holds is put in beside the keys. */
   lam_row row = lam_surface_row_with(session->arena, &design->surface, &inputs.surface);
   *surface = lam_surface_make(session->arena, &row, &session->errors);
   return surface->kind != NULL;
 }
 
+/* *out is set when the surface could be made. */
 static lam_status read_into(lam_session *session, const char *keys, const lam_surface **out) {
   lam_surface *surface = LAM_NEW(session->arena, lam_surface, 1);
   if (read_surface(session, keys, surface)) *out = surface;
   return LAM_OK;
 }
 
+/* Declared, as all functions of the face here, in include/lamella/surface.h. */
 lam_status lam_surface_read(lam_session *session, const char *keys, const lam_surface **surface) {
   *surface = NULL;
   LAM_ENTER(session);
@@ -49,7 +54,7 @@ void lam_surface_jet(const lam_surface *surface, double u, double v, lam_jet *je
 
 /* ---- adding ---- */
 
-/* Whether no surface has the name yet. */
+/* Whether no surface has the name yet; a message otherwise. */
 static bool is_free(lam_session *session, const char *name) {
   lam_added_rows added = lam_session_rows(session);
   const lam_registry *all = lam_registry_with(session->arena, &lam_surfaces, &added);
@@ -59,14 +64,17 @@ static bool is_free(lam_session *session, const char *name) {
   return false;
 }
 
-/* Makes the surface once with its defaults, where it has any: wrong derivatives show then. */
+/* Makes the surface once with the defaults of its keys: wrong derivatives show then. A surface
+ * with a key that must be given is checked when a design gives it. */
 static bool works(lam_session *session, const lam_surface_definition *definition) {
   for (int i = 0; i < definition->number_count; i++)
     if (!definition->numbers[i].initial) return true;
+
   lam_surface surface;
   return read_surface(session, definition->name, &surface);
 }
 
+/* The surface is known while it is tried, and forgotten when it does not work. */
 static lam_status add(lam_session *session, const lam_surface_definition *definition) {
   const lam_surface_kind *kind =
       lam_surface_kind_defined(session->lasting, definition, &session->errors);
@@ -78,6 +86,7 @@ static lam_status add(lam_session *session, const lam_surface_definition *defini
   return LAM_OK;
 }
 
+/* The kind lives in the memory that clearing the session leaves. */
 lam_status lam_surface_add(lam_session *session, const lam_surface_definition *definition) {
   LAM_ENTER(session);
   return lam_session_leave(session, add(session, definition));

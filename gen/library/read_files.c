@@ -1,4 +1,5 @@
-/* Opening a file and handing its bytes to the format that its ending names. */
+/* Opening a file and handing its bytes to the format that its ending names. Called through
+ * lamella/format.h, by sources.c, compare_meshes.c and bench/bench_run.c. */
 #include "library/read_files.h"
 #include "core/file.h"
 #include "formats/list/formats.h"
@@ -7,7 +8,7 @@
 
 enum { largest_file = 1 << 30 };
 
-/* A file that is open for reading: its format and its bytes. */
+/* A file that was read: its format and its bytes. */
 typedef struct opened {
   const lam_format *format;
   lam_location location;
@@ -15,7 +16,8 @@ typedef struct opened {
   size_t count;
 } opened;
 
-/* Opens a file that should hold this content; noun names it in the message. */
+/* Reads a file that should hold this content; noun names it in the message. False with a
+ * message. */
 static bool open_file(lam_arena *arena, const char *path, lam_content content, const char *noun,
                       lam_errors *errors, opened *file) {
   *file = (opened){.format = lam_format_for(path), .location = {.file = path}};
@@ -33,6 +35,7 @@ bool lam_input_mesh(lam_arena *arena, const char *path, lam_errors *errors, lam_
          f.format->read_mesh(arena, f.bytes, f.count, f.location, errors, mesh);
 }
 
+/* Faces of more corners become triangles in the format. */
 bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors,
                          lam_trimesh *mesh) {
   opened f;
@@ -40,23 +43,27 @@ bool lam_input_triangles(lam_arena *arena, const char *path, lam_errors *errors,
          f.format->read_triangles(arena, f.bytes, f.count, f.location, errors, mesh);
 }
 
+/* A format reads all surfaces of a file; one of them is taken. */
 bool lam_input_surface(lam_arena *arena, const char *path, int face, lam_errors *errors,
                        lam_spline_surface *surface, const char **note) {
   opened f;
   lam_spline_list read;
   if (!open_file(arena, path, LAM_CONTENT_SURFACES, "file of surfaces", errors, &f)) return false;
   if (!f.format->read_surfaces(arena, f.bytes, f.count, f.location, errors, &read)) return false;
+
   if (face < 1 || face > read.count) {
     lam_error_add(errors, f.location, NULL,
                   "face %d asked for, but the file has %d B-spline surface%s", face, read.count,
                   read.count == 1 ? "" : "s");
     return false;
   }
+
   *surface = read.items[face - 1];
   *note = read.notes[face - 1];
   return true;
 }
 
+/* A list of the format, taken apart. */
 bool lam_input_curves(lam_arena *arena, const char *path, lam_errors *errors, int *count,
                       const lam_named_curve **curves) {
   opened f;
@@ -68,11 +75,13 @@ bool lam_input_curves(lam_arena *arena, const char *path, lam_errors *errors, in
   return true;
 }
 
+/* A format without points of its own gives the vertices of its triangles. */
 bool lam_input_points(lam_arena *arena, const char *path, lam_errors *errors, int *count,
                       const lam_vec3 **points) {
   opened f;
   lam_trimesh mesh;
   if (!open_file(arena, path, LAM_CONTENT_POINTS, "file of points", errors, &f)) return false;
+
   if (f.format->read_points)
     return f.format->read_points(arena, f.bytes, f.count, f.location, errors, count, points);
   if (!f.format->read_triangles(arena, f.bytes, f.count, f.location, errors, &mesh)) return false;
@@ -81,7 +90,8 @@ bool lam_input_points(lam_arena *arena, const char *path, lam_errors *errors, in
   return true;
 }
 
-/* ---- the face ---- */
+/* ---- the face ----
+ * Declared in include/lamella/format.h. The status is that of the messages. */
 
 lam_status lam_read_mesh(lam_session *session, const char *path, lam_mesh *mesh) {
   LAM_ENTER(session);

@@ -1,4 +1,5 @@
-/* Sessions: their memory, their messages, and the beginning and end of every call. */
+/* Sessions: their memory, their messages, and the beginning and end of every call. Called through
+ * lamella/session.h, and by every function of the face (LAM_ENTER). */
 #include "library/session_state.h"
 #include "library/templates.h"
 #include "surf/surface.h"
@@ -7,13 +8,14 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* The message for memory that ran out needs none. */
+/* The message that memory ran out: there is no memory to make one then. Never changed. */
 static lam_error out_of_memory = {.text = "out of memory"};
 
 const char *lam_version(void) { return LAM_VERSION; }
 
 /* ---- life ---- */
 
+/* Declared, as all functions of the face here, in include/lamella/session.h. */
 lam_status lam_session_new(lam_session **session) {
   *session = NULL;
   lam_session *made = calloc(1, sizeof *made);
@@ -30,6 +32,7 @@ lam_status lam_session_new(lam_session **session) {
   return LAM_OK;
 }
 
+/* A session may be half made (lam_session_new). */
 void lam_session_free(lam_session *session) {
   if (!session) return;
   lam_arena_free(session->arena);
@@ -37,6 +40,7 @@ void lam_session_free(lam_session *session) {
   free(session);
 }
 
+/* Whatever points into the memory is forgotten with it. */
 void lam_session_clear(lam_session *session) {
   assert(!session->busy);
   lam_arena_release(session->arena, (lam_arena_mark){0});
@@ -46,10 +50,12 @@ void lam_session_clear(lam_session *session) {
 
 /* ---- the frame of a call ---- */
 
+/* Both arenas jump to the same point; only the memory of the call is given back there. */
 void lam_session_enter(lam_session *session, jmp_buf *point) {
   assert(!session->busy && "a call from a callback of the same session");
   session->busy = true;
   session->start = lam_arena_mark_get(session->arena);
+
   session->errors = session->notes = (lam_errors){.arena = session->arena};
   lam_arena_recover(session->arena, point);
   lam_arena_recover(session->lasting, point);
@@ -62,14 +68,17 @@ static void end_call(lam_session *session) {
   session->busy = false;
 }
 
+/* Work that only adds messages returns LAM_OK: the messages decide. */
 lam_status lam_session_leave(lam_session *session, lam_status status) {
   end_call(session);
   return status != LAM_OK ? status : lam_errors_status(&session->errors);
 }
 
+/* Messages and notes of the call go with its memory; the static message takes their place. */
 lam_status lam_session_exhausted(lam_session *session) {
   end_call(session);
   lam_arena_release(session->arena, session->start);
+
   session->notes = (lam_errors){.arena = session->arena};
   session->errors = session->notes;
   session->errors.first = session->errors.last = &out_of_memory;
@@ -86,6 +95,7 @@ void lam_session_set_progress(lam_session *session, const lam_progress *progress
   session->progress = progress ? *progress : (lam_progress){0};
 }
 
+/* NULL is copied as NULL. The folder before it stays in the lasting memory. */
 static lam_status set_templates(lam_session *session, const char *folder) {
   session->templates = lam_arena_copy(session->lasting, folder);
   return LAM_OK;

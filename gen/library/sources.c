@@ -1,7 +1,7 @@
-/* One place for what a design refers to outside itself. A name in a design lies beside the
- * design's file. A design whose net starts from another design's net makes that design be built
- * first; a chain of them that comes back to its beginning, or is too long, is an error. Called by
- * designs.c. */
+/* One place for what a design refers to outside itself. A name in a design lies beside the design's
+ * file. A design whose net starts from another design's net makes that design be built first; a
+ * chain of them that comes back to its beginning, or is too long, is an error. Called by designs.c,
+ * own_surfaces.c and solve_net.c. */
 #include "library/sources.h"
 #include "core/file.h"
 #include "core/grow.h"
@@ -24,7 +24,8 @@ typedef struct chain {
 
 /* ---- names ---- */
 
-/* The path of a name in a design whose file is at path (NULL: in memory). */
+/* The path of a name in a design whose file is at path (NULL: in memory, names are relative to the
+ * current folder). */
 static const char *beside(lam_arena *arena, const char *path, const char *name) {
   const char *slash = path && name[0] != '/' ? strrchr(path, '/') : NULL;
   int folder = slash ? (int)(slash - path) + 1 : 0;
@@ -36,6 +37,7 @@ static const char *design_file(lam_arena *arena, const char *name) {
   return strrchr(name, '.') ? name : lam_arena_printf(arena, "%s.yaml", name);
 }
 
+/* The keys of the design's net that every kind has, or NULL. */
 static const lam_net_common *net_of(const lam_design *design) {
   return design->net.head ? design->net.common : NULL;
 }
@@ -45,6 +47,7 @@ static const char *surface_path(const lam_design *design) {
   return design->surface.head ? lam_surface_file_of(&design->surface).path : NULL;
 }
 
+/* The surface, the start of the net and its reference; a net starts from a file or a design. */
 int lam_sources_list(lam_arena *arena, const lam_design *design, const char *files[LAM_SOURCES]) {
   const lam_net_common *net = net_of(design);
   const char *surface = surface_path(design);
@@ -58,6 +61,7 @@ int lam_sources_list(lam_arena *arena, const lam_design *design, const char *fil
 
 /* ---- parsing ---- */
 
+/* A text that was given goes before the file. */
 bool lam_source_parse(lam_session *session, const lam_design_source *source, lam_design *design) {
   lam_added_rows added = lam_session_rows(session);
   lam_design_text text = {.bytes = source->text,
@@ -66,6 +70,7 @@ bool lam_source_parse(lam_session *session, const lam_design_source *source, lam
                           .override_count = source->override_count,
                           .overrides = source->overrides,
                           .added = &added};
+
   if (!source->text) {
     char *bytes;
     if (lam_file_read(session->arena, source->path, (size_t)LAM_DESIGN_MAX_BYTES, &session->errors,
@@ -73,6 +78,7 @@ bool lam_source_parse(lam_session *session, const lam_design_source *source, lam
       return false;
     text.bytes = bytes;
   }
+
   return lam_design_parse(session->arena, &text, &session->errors, design);
 }
 
@@ -89,7 +95,7 @@ static bool check_file(const lam_design *design, const char *name, lam_location 
   return false;
 }
 
-/* Reads the file that the surface names, if any, into inputs. */
+/* Reads the file that the surface names, if any, into inputs. False with messages. */
 static bool read_surface(lam_arena *arena, const lam_design *design, lam_errors *errors,
                          lam_surface_inputs *inputs) {
   lam_surface_file file = lam_surface_file_of(&design->surface);
@@ -100,12 +106,14 @@ static bool read_surface(lam_arena *arena, const lam_design *design, lam_errors 
     return lam_input_curves(arena, path, errors, &inputs->curve_count, &inputs->curves);
   if (file.needs == LAM_NEEDS_POINTS)
     return lam_input_points(arena, path, errors, &inputs->point_count, &inputs->points);
+
   lam_spline_surface *surface = LAM_NEW(arena, lam_spline_surface, 1);
   inputs->surface = surface;
   return lam_input_surface(arena, path, file.face, errors, surface, &inputs->note);
 }
 
-/* What is wrong with the surface, or the file that it stands in, when its keys are taken together. */
+/* The file of the surface, and with make what only shows when the surface is made: keys that do not
+ * fit together, a file that is damaged. */
 static void check_surface(const lam_design *design, bool make, lam_errors *errors) {
   const lam_row *row = &design->surface;
   lam_surface_inputs inputs = {0};
@@ -116,7 +124,8 @@ static void check_surface(const lam_design *design, bool make, lam_errors *error
   lam_surface_make(errors->arena, &filled, errors);
 }
 
-/* Without templates there is nothing to compare with. */
+/* Whether the setting of the picture is a template; without templates there is nothing to compare
+ * with. */
 static void check_setting(const char *templates, const lam_design *design, lam_errors *errors) {
   const char *setting = design->render.setting;
   if (!templates ||
@@ -126,6 +135,7 @@ static void check_setting(const char *templates, const lam_design *design, lam_e
                 "given %s; expected the name of a file in templates/pov, such as plaza", setting);
 }
 
+/* Everything is looked at, so that all mistakes are shown at once. */
 void lam_sources_check(lam_session *session, const lam_design *design, bool make_surface) {
   lam_errors *errors = &session->errors;
   if (design->surface.head) check_surface(design, make_surface, errors);
@@ -134,6 +144,7 @@ void lam_sources_check(lam_session *session, const lam_design *design, bool make
 
   const lam_net_common *net = net_of(design);
   if (!net) return;
+
   lam_location location = design->net.location;
   lam_measures_check(&net->measures, false, location, "net.measures", errors);
   check_file(design, net->from.file, location, "net.from.file", errors);
@@ -142,23 +153,26 @@ void lam_sources_check(lam_session *session, const lam_design *design, bool make
 
 /* ---- reading ---- */
 
-/* Notes a file once. */
+/* Adds a file to what the model is made from, once. */
 static void note_file(lam_session *session, lam_origin *origin, const char *path) {
   for (int i = 0; i < origin->file_count; i++)
     if (strcmp(origin->files[i], path) == 0) return;
   LAM_APPEND(session->arena, origin->files, origin->file_count, origin->file_capacity, path);
 }
 
+/* Reads what a design of a chain names; defined below: designs name designs. */
 static bool read_chain(lam_session *session, const lam_design *design, const chain *self,
                        lam_origin *origin, lam_inputs *inputs);
 
-/* Whether a design may be the next one in a chain: not one of those before, and not too many. */
+/* Whether a design may be the next one in a chain: none of those before it (user and its users),
+ * and not too many; a message otherwise. */
 static bool continues_chain(lam_session *session, const chain *user, const char *path,
                             lam_location location) {
   int depth = 1;
   for (const chain *c = user; c; c = c->user, depth++) {
     bool too_many = depth == most_designs;
     if (!too_many && strcmp(c->path, path) != 0) continue;
+
     lam_error_add(&session->errors, location, "net.from.design",
                   too_many
                       ? "%s would be the design number %d in a row; expected at most as many"
@@ -169,7 +183,8 @@ static bool continues_chain(lam_session *session, const chain *user, const char 
   return true;
 }
 
-/* Builds another design as far as its net. */
+/* Builds another design as far as its net. NULL with messages: it is wrong, has no net, or does not
+ * converge. user: the chain of designs that starts from it. */
 static const lam_mesh *build_net(lam_session *session, const char *path, lam_location location,
                                  const chain *user, lam_origin *origin) {
   lam_errors *errors = &session->errors;
@@ -195,7 +210,7 @@ static const lam_mesh *build_net(lam_session *session, const char *path, lam_loc
   return errors->count == before ? model->net : NULL;
 }
 
-/* What the net starts from, when that is a file or another design. */
+/* What the net starts from, when that is a file or another design. False with messages. */
 static bool read_start(lam_session *session, const lam_design *design, const chain *self,
                        lam_origin *origin, lam_inputs *inputs) {
   const lam_net_common *net = net_of(design);
@@ -208,6 +223,7 @@ static bool read_start(lam_session *session, const lam_design *design, const cha
     inputs->net = mesh;
     return lam_input_mesh(session->arena, path, &session->errors, mesh);
   }
+
   const char *name = design_file(session->arena, net->from.design);
   const char *path = beside(session->arena, design->path, name);
   note_file(session, origin, path);
@@ -215,7 +231,7 @@ static bool read_start(lam_session *session, const lam_design *design, const cha
   return inputs->net != NULL;
 }
 
-/* The surface that the net stays near, when it stands in a file. */
+/* The surface that the net stays near, when it stands in a file. False with messages. */
 static bool read_reference(lam_session *session, const lam_design *design, lam_origin *origin,
                            lam_inputs *inputs) {
   const lam_net_common *net = net_of(design);
@@ -228,7 +244,8 @@ static bool read_reference(lam_session *session, const lam_design *design, lam_o
   return lam_input_triangles(session->arena, path, &session->errors, mesh);
 }
 
-/* In the order of the pipeline: surface, start of the net, reference. */
+/* In the order of the pipeline: surface, start of the net, reference. self: the design as the end
+ * of its chain. */
 static bool read_chain(lam_session *session, const lam_design *design, const chain *self,
                        lam_origin *origin, lam_inputs *inputs) {
   const char *surface = surface_path(design);
@@ -236,10 +253,12 @@ static bool read_chain(lam_session *session, const lam_design *design, const cha
     note_file(session, origin, beside(session->arena, design->path, surface));
     if (!read_surface(session->arena, design, &session->errors, &inputs->surface)) return false;
   }
+
   return read_start(session, design, self, origin, inputs) &&
          read_reference(session, design, origin, inputs);
 }
 
+/* A design in memory has no path: nothing can come back to it. */
 bool lam_sources_read(lam_session *session, const lam_design *design, lam_origin *origin,
                       lam_inputs *inputs) {
   chain self = {design->path ? design->path : "", NULL};

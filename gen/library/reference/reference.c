@@ -1,4 +1,5 @@
-/* The reference manual: lists of names, and pages. Called through lamella/reference.h. */
+/* The reference manual: lists of names, and pages. Called through lamella/reference.h, by
+ * cli/verb_list.c and cli/verb_show.c. */
 #include <lamella/reference.h>
 
 #include "core/file.h"
@@ -14,7 +15,7 @@
 
 /* ---- lists ---- */
 
-/* The columns of the longest name or title. */
+/* The columns of the longest title, or name. */
 static int widest(const lam_listed *listed, int count, bool titles) {
   int width = 0;
   for (int i = 0; i < count; i++) {
@@ -31,11 +32,13 @@ static void add_section(lam_session *session, lam_text *text, const lam_section 
   int count = 0;
   const lam_listed *listed = section->collect(session, section, &count);
   int names = widest(listed, count, false), titles = widest(listed, count, true);
+
   for (int i = 0; i < count; i++) {
     lam_spaces(text, indent);
     lam_text_add(text, listed[i].name);
     lam_spaces(text, names - lam_columns(listed[i].name) + 2);
     lam_text_add(text, listed[i].title ? listed[i].title : "");
+
     if (listed[i].file && listed[i].source) {
       lam_spaces(text, titles - lam_columns(listed[i].title) + 2);
       lam_text_add(text, listed[i].source);
@@ -44,6 +47,7 @@ static void add_section(lam_session *session, lam_text *text, const lam_section 
   }
 }
 
+/* chosen: the name of a section, or NULL: all of them, under their names. */
 static lam_status list(lam_session *session, const char *chosen, const char **out) {
   lam_text text = {.arena = session->arena};
   if (chosen && !lam_name_known(&session->errors, lam_section_names(session->arena), chosen,
@@ -59,6 +63,7 @@ static lam_status list(lam_session *session, const char *chosen, const char **ou
   return LAM_OK;
 }
 
+/* Declared, as all functions of the face here, in include/lamella/reference.h. */
 lam_status lam_reference_list(lam_session *session, const char *section, const char **text) {
   *text = NULL;
   LAM_ENTER(session);
@@ -75,10 +80,12 @@ static void add_file(lam_text *text, const char *path) {
   if (lam_file_read(text->arena, path, (size_t)LAM_DESIGN_MAX_BYTES, &unread, &bytes, &count) !=
       LAM_OK)
     return;
+
   lam_text_add(text, "\n");
   lam_text_bytes(text, bytes, count);
 }
 
+/* The page of the design language itself: what no key says, then the table of all keys. */
 static void add_language(lam_text *text) {
   lam_text_add(text, "design: the keys of a design file\n\n  ");
   lam_wrap(text,
@@ -112,6 +119,7 @@ static void add_pages(lam_session *session, lam_text *text, const lam_section *s
   }
 }
 
+/* Every section is looked through: a name may stand in several of them. */
 static lam_status page(lam_session *session, const char *name, const char **out) {
   lam_text text = {.arena = session->arena};
   known_names known = {0};
@@ -129,6 +137,7 @@ static lam_status page(lam_session *session, const char *name, const char **out)
   return LAM_OK;
 }
 
+/* The page stays NULL when nothing has the name. */
 lam_status lam_reference_page(lam_session *session, const char *name, const char **text) {
   *text = NULL;
   LAM_ENTER(session);

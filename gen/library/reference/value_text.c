@@ -1,9 +1,14 @@
+/* Parsed values back as text: one function per type of key, and what is not worth a word. Called by
+ * describe_design.c. */
 #include "library/reference/value_text.h"
 #include "design/describe.h"
 
 #include <string.h>
 
 enum { shown_items = 8 }; /* of a list */
+
+/* ---- one value ----
+ * Each appends the value at `at`, stored as core/key.h says for its type. */
 
 static void add_number(lam_text *text, const lam_key *key, const void *at) {
   lam_describe_quantity(text, *(const double *)at, key->unit);
@@ -29,18 +34,21 @@ static void add_map(lam_text *text, const lam_key *key, const void *at) {
   lam_value_text(text, key->keys, at);
   lam_text_add(text, "}");
 }
+/* The kind, with the values of its own keys in braces. */
 static void add_row(lam_text *text, const lam_key *key, const void *at) {
   const lam_row *row = at;
   (void)key;
   lam_text_add(text, row->head->name);
+
   if (!row->head->keys || !row->head->keys->name) return;
   lam_text_add(text, " {");
   lam_value_text(text, row->head->keys, row->params);
   lam_text_add(text, "}");
 }
 
+/* By lam_key_type: the size of a stored value, and its function. */
 static const struct {
-  size_t size; /* 0: the key's */
+  size_t size; /* 0: that of the key */
   void (*add)(lam_text *text, const lam_key *key, const void *at);
 } types[] = {
     [LAM_KEY_NUMBER] = {sizeof(double), add_number},
@@ -52,6 +60,10 @@ static const struct {
     [LAM_KEY_ROW] = {sizeof(lam_row), add_row},
 };
 
+/* ---- all values of a table ---- */
+
+/* Whether a key is not worth a word: the design left it to the program, or it is an empty list, an
+ * optional text or a row that is not there. */
 static bool is_skipped(const lam_key *key, const char *params) {
   const char *at = params + key->offset;
   bool optional = key->initial && (!key->initial[0] || strcmp(key->initial, "~") == 0);
@@ -61,8 +73,10 @@ static bool is_skipped(const lam_key *key, const char *params) {
   return key->type == LAM_KEY_ROW && !((const lam_row *)at)->head;
 }
 
+/* count values of a key in brackets; of long lists the first ones. */
 static void add_items(lam_text *text, const lam_key *key, const char *items, int count) {
   size_t size = types[key->type].size ? types[key->type].size : key->size;
+
   lam_text_add(text, "[");
   for (int i = 0; i < count && i < shown_items; i++) {
     if (i > 0) lam_text_add(text, ", ");
@@ -72,6 +86,7 @@ static void add_items(lam_text *text, const lam_key *key, const char *items, int
   lam_text_add(text, "]");
 }
 
+/* A key stores one value, as many as it counts, or a list. */
 void lam_value_text(lam_text *text, const lam_key *keys, const void *params) {
   bool first = true;
   for (const lam_key *key = keys; key && key->name; key++) {
@@ -80,6 +95,7 @@ void lam_value_text(lam_text *text, const lam_key *keys, const void *params) {
     const lam_list *list = (const lam_list *)at;
     lam_text_printf(text, "%s%s ", first ? "" : ", ", key->name);
     first = false;
+
     if (key->count == 1)
       types[key->type].add(text, key, at);
     else if (key->count > 1)

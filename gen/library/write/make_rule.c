@@ -4,7 +4,7 @@
 #include "core/file.h"
 #include "core/text.h"
 
-/* Spaces and dollars would end a name in a rule. */
+/* What would end a name in a rule, or begin something else, is escaped as make wants it. */
 static void add_name(lam_text *text, const char *name) {
   for (; *name; name++) {
     if (*name == ' ' || *name == '#') lam_text_add(text, "\\");
@@ -18,6 +18,7 @@ typedef struct rule {
   lam_text needs, empty;
 } rule;
 
+/* One more file that the target needs, on a line of its own. */
 static void add_need(rule *r, const char *name) {
   lam_text_add(&r->needs, " \\\n  ");
   add_name(&r->needs, name);
@@ -25,6 +26,7 @@ static void add_need(rule *r, const char *name) {
   lam_text_add(&r->empty, ":\n");
 }
 
+/* The rule first, then the empty ones. */
 void lam_make_rule_write(lam_session *session, const char *path, const char *folder,
                          const lam_origin *origin, const lam_paths *templates) {
   rule r = {{.arena = session->arena}, {.arena = session->arena}};

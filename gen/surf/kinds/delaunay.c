@@ -84,11 +84,8 @@ static void locate(const void *data, lam_chart chart, int sector, double p, doub
 
 /* The only key, with another default and upper limit for each of the two. */
 #define NECK(ratio, most)                                                                          \
-  {                                                                                                \
-    .name = "neck", .type = LAM_KEY_NUMBER, .offset = offsetof(lam_delaunay_keys, neck),           \
-    .count = 1, .initial = ratio, .min = 0.01, .max = (most),                                      \
-    .doc = "Smallest radius divided by the largest."                                               \
-  }
+  LAM_NUMBER_KEY(lam_delaunay_keys, "neck", neck, ratio, 0.01, (most),                             \
+                 "Smallest radius divided by the largest.")
 static const lam_key unduloid_keys[] = {NECK("0.4", 1), {0}};
 static const lam_key nodoid_keys[] = {NECK("0.3", 0.9), {0}};
 

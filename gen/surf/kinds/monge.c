@@ -50,10 +50,7 @@ static bool domain(const void *data, lam_chart chart, double p[2], double q[2], 
 
 /* The key of a term. */
 #define TERM(text, k, value)                                                                       \
-  {                                                                                                \
-    .name = text, .type = LAM_KEY_NUMBER, .offset = offsetof(lam_monge, c[k]), .count = 1,         \
-    .initial = value, .doc = "Coefficient of the term " text "."                                   \
-  }
+  LAM_NUMBER_KEY(lam_monge, text, c[k], value, 0, 0, "Coefficient of the term " text ".")
 static const lam_key keys[] = {TERM("x2", 0, "0"),
                                TERM("xy", 1, "0"),
                                TERM("y2", 2, "0"),

@@ -87,45 +87,31 @@ static const void *prepare_bezier(lam_arena *arena, const void *params, lam_loca
 }
 
 /* The keys, of which each kind has its own choice. */
-#define AT(member) offsetof(lam_nurbs_keys, member)
 #define DEGREE                                                                                     \
-  {                                                                                                \
-    .name = "degree", .type = LAM_KEY_INTEGER, .offset = AT(degree), .count = 2,                   \
-    .initial = "[3, 3]", .min = 1, .max = LAM_BASIS_MAX_DEGREE,                                    \
-    .doc = "Polynomial degree in u and in v; less than the number of points."                      \
-  }
+  LAM_INTEGER_KEY(lam_nurbs_keys, "degree", degree, "[3, 3]", 1, LAM_BASIS_MAX_DEGREE,             \
+                  "Polynomial degree in u and in v; less than the number of points.")
 #define COUNT(most)                                                                                \
-  {                                                                                                \
-    .name = "count", .type = LAM_KEY_INTEGER, .offset = AT(count), .count = 2,                     \
-    .initial = "[4, 4]", .min = 2, .max = (most), .doc = "Number of control points in u and in v." \
-  }
+  LAM_INTEGER_KEY(lam_nurbs_keys, "count", count, "[4, 4]", 2, (most),                             \
+                  "Number of control points in u and in v.")
 #define POINTS                                                                                     \
-  {                                                                                                \
-    .name = "points", .type = LAM_KEY_NUMBER, .offset = AT(points),                                \
-    .initial = "[0, 0, 2,  0, 3, 1,  0, 6, 1,  0, 9, 2,"                                           \
-               " 3, 0, 4,  3, 3, 3,  3, 6, 3,  3, 9, 4,"                                           \
-               " 6, 0, 4,  6, 3, 3,  6, 6, 3,  6, 9, 4,"                                           \
-               " 9, 0, 2,  9, 3, 1,  9, 6, 1,  9, 9, 2]",                                          \
-    .doc = "x, y, z of every control point, v running fastest: first all points of the first u, "  \
-           "then of the second; the default is a saddle of 4 x 4 points."                          \
-  }
+  LAM_NUMBER_KEY(lam_nurbs_keys, "points", points,                                                 \
+                 "[0, 0, 2,  0, 3, 1,  0, 6, 1,  0, 9, 2,"                                         \
+                 " 3, 0, 4,  3, 3, 3,  3, 6, 3,  3, 9, 4,"                                         \
+                 " 6, 0, 4,  6, 3, 3,  6, 6, 3,  6, 9, 4,"                                         \
+                 " 9, 0, 2,  9, 3, 1,  9, 6, 1,  9, 9, 2]",                                        \
+                 0, 0,                                                                             \
+                 "x, y, z of every control point, v running fastest: first all points of the "     \
+                 "first u, then of the second; the default is a saddle of 4 x 4 points.")
 #define UNIT                                                                                       \
-  {                                                                                                \
-    .name = "unit", .type = LAM_KEY_CHOICE, .offset = AT(unit), .count = 1, .initial = "m",        \
-    .choices = lam_point_units, .doc = "Unit of the numbers in points."                            \
-  }
+  LAM_CHOICE_KEY(lam_nurbs_keys, "unit", unit, "m", lam_point_units,                               \
+                 "Unit of the numbers in points.")
 #define WEIGHTS                                                                                    \
-  {                                                                                                \
-    .name = "weights", .type = LAM_KEY_NUMBER, .offset = AT(weights), .initial = "[]",             \
-    .doc = "Positive weight of every control point, in the order of points; none: all 1."          \
-  }
+  LAM_NUMBER_KEY(lam_nurbs_keys, "weights", weights, "[]", 0, 0,                                   \
+                 "Positive weight of every control point, in the order of points; none: all 1.")
 #define KNOTS(direction, which)                                                                    \
-  {                                                                                                \
-    .name = "knots_" direction, .type = LAM_KEY_NUMBER, .offset = AT(knots[which]),                \
-    .initial = "[]",                                                                               \
-    .doc = "Knots in " direction ", count + degree + 1 numbers that do not decrease; none: "       \
-           "clamped and evenly spaced from 0 to 1."                                                \
-  }
+  LAM_NUMBER_KEY(lam_nurbs_keys, "knots_" direction, knots[which], "[]", 0, 0,                     \
+                 "Knots in " direction ", count + degree + 1 numbers that do not decrease; none: " \
+                 "clamped and evenly spaced from 0 to 1.")
 
 static const lam_key bezier_keys[] = {COUNT(LAM_BASIS_MAX_VALUES), POINTS, WEIGHTS, UNIT, {0}};
 static const lam_key bspline_keys[] = {

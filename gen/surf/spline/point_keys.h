@@ -15,22 +15,12 @@ typedef struct lam_point_keys {
 
 /* Rows for the key table of a kind: params.member is a lam_point_keys, text the default list. */
 #define LAM_POINT_KEYS(params, member, text, sentence)                                             \
-  {.name = "points",                                                                               \
-   .type = LAM_KEY_NUMBER,                                                                         \
-   .offset = offsetof(params, member.list),                                                        \
-   .initial = text,                                                                                \
-   .doc = sentence},                                                                               \
-      {.name = "file",                                                                             \
-       .type = LAM_KEY_TEXT,                                                                       \
-       .offset = offsetof(params, member.cloud.file),                                              \
-       .count = 1,                                                                                 \
-       .initial = "~",                                                                             \
-       .doc = "In place of points: a file beside the design, .xyz, .pts, .csv, .txt or .asc with " \
-              "x, y and z in every line, or the vertices of an .obj or .stl mesh."},               \
-  {                                                                                                \
-    .name = "unit", .type = LAM_KEY_CHOICE, .offset = offsetof(params, member.unit), .count = 1,   \
-    .initial = "m", .choices = lam_point_units, .doc = "Unit of the numbers in points."            \
-  }
+  LAM_NUMBER_KEY(params, "points", member.list, text, 0, 0, sentence),                             \
+      LAM_TEXT_KEY(params, "file", member.cloud.file, "~",                                         \
+                   "In place of points: a file beside the design, .xyz, .pts, .csv, .txt or .asc " \
+                   "with x, y and z in every line, or the vertices of an .obj or .stl mesh."),     \
+      LAM_CHOICE_KEY(params, "unit", member.unit, "m", lam_point_units,                            \
+                     "Unit of the numbers in points.")
 
 /* The points that the keys give, in meters; owned by the arena. Sets count. NULL, with a
  * message, when they are fewer than `least` or the file has not been read. location: of the

@@ -272,28 +272,16 @@ bool lam_sides_read(lam_arena *arena, const lam_sides_keys *keys, lam_sides_limi
 }
 
 /* The rows that both tables share. */
-#define AT(member) .offset = offsetof(lam_side_keys, member)
 #define CURVE_ROWS                                                                                 \
-  {.name = "points",                                                                               \
-   .type = LAM_KEY_NUMBER,                                                                         \
-   AT(points),                                                                                     \
-   .doc = "x, y, z of every control point; two for a straight side."},                             \
-      {.name = "weights",                                                                          \
-       .type = LAM_KEY_NUMBER,                                                                     \
-       AT(weights),                                                                                \
-       .initial = "[]",                                                                            \
-       .doc = "Positive weight of every control point; none: all 1."},                             \
-      {.name = "knots",                                                                            \
-       .type = LAM_KEY_NUMBER,                                                                     \
-       AT(knots),                                                                                  \
-       .initial = "[]",                                                                            \
-       .doc = "Knots, number of points + degree + 1, that do not decrease; none: clamped and "     \
-              "evenly spaced."},                                                                   \
-  {                                                                                                \
-    .name = "degree", .type = LAM_KEY_INTEGER, AT(degree), .count = 1, .initial = "0", .min = 0,   \
-    .max = LAM_BASIS_MAX_DEGREE,                                                                   \
-    .doc = "Polynomial degree; 0: 3, or less when there are fewer than four points."               \
-  }
+  LAM_NUMBER_KEY(lam_side_keys, "points", points, NULL, 0, 0,                                      \
+                 "x, y, z of every control point; two for a straight side."),                      \
+      LAM_NUMBER_KEY(lam_side_keys, "weights", weights, "[]", 0, 0,                                \
+                     "Positive weight of every control point; none: all 1."),                      \
+      LAM_NUMBER_KEY(lam_side_keys, "knots", knots, "[]", 0, 0,                                    \
+                     "Knots, number of points + degree + 1, that do not decrease; none: clamped "  \
+                     "and evenly spaced."),                                                        \
+      LAM_INTEGER_KEY(lam_side_keys, "degree", degree, "0", 0, LAM_BASIS_MAX_DEGREE,               \
+                      "Polynomial degree; 0: 3, or less when there are fewer than four points.")
 
 const lam_key lam_side_table[] = {CURVE_ROWS, {0}};
 const lam_key lam_side_across_table[] = {

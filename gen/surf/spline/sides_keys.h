@@ -36,40 +36,23 @@ extern const lam_key lam_side_table[], lam_side_across_table[];
 /* Rows for the key table of a kind: params.member is a lam_sides_keys, table one of the two
  * above, text the default. */
 #define LAM_SIDES_KEYS(params, member, table, text)                                                \
-  {.name = "curves",                                                                               \
-   .type = LAM_KEY_MAP,                                                                            \
-   .offset = offsetof(params, member.curves),                                                      \
-   .initial = text,                                                                                \
-   .keys = table,                                                                                  \
-   .size = sizeof(lam_side_keys),                                                                  \
-   .given_offset = offsetof(params, member.curves_given),                                          \
-   .doc = "The four boundary curves, each in either direction, listed around the boundary: v=0, "  \
-          "u=0, v=1, u=1, or as v=0, v=1, u=0, u=1. They must meet at their ends."},               \
-      {.name = "unit",                                                                             \
-       .type = LAM_KEY_CHOICE,                                                                     \
-       .offset = offsetof(params, member.unit),                                                    \
-       .count = 1,                                                                                 \
-       .initial = "m",                                                                             \
-       .choices = lam_point_units,                                                                 \
-       .doc = "Unit of the numbers in points and vectors."},                                       \
+  LAM_MAPS_KEY(params, "curves", member.curves, text, table, lam_side_keys,                        \
+               "The four boundary curves, each in either direction, listed around the boundary: "  \
+               "v=0, u=0, v=1, u=1, or as v=0, v=1, u=0, u=1. They must meet at their ends.",      \
+               LAM_GIVEN(params, member.curves_given)),                                            \
+      LAM_CHOICE_KEY(params, "unit", member.unit, "m", lam_point_units,                            \
+                     "Unit of the numbers in points and vectors."),                                \
       LAM_SIDES_FILE_KEYS(params, member)
 
 /* The last two of these rows. */
 #define LAM_SIDES_FILE_KEYS(params, member)                                                        \
-  {.name = "file",                                                                                 \
-   .type = LAM_KEY_TEXT,                                                                           \
-   .offset = offsetof(params, member.file),                                                        \
-   .count = 1,                                                                                     \
-   .initial = "~",                                                                                 \
-   .doc = "In place of curves: a .step, .stp, .igs, .iges, .json or .obj file beside the design "  \
-          "with four curves (splines, lines or arcs) that meet end to end, in any order and "      \
-          "direction. The first is v=0."},                                                         \
-  {                                                                                                \
-    .name = "pick", .type = LAM_KEY_INTEGER, .offset = offsetof(params, member.pick),              \
-    .initial = "[]", .min = 1, .max = 1000000,                                                     \
-    .doc = "Which four of the file's curves, counted from 1 in their order in the file; none: it " \
-           "has four."                                                                             \
-  }
+  LAM_TEXT_KEY(params, "file", member.file, "~",                                                   \
+               "In place of curves: a .step, .stp, .igs, .iges, .json or .obj file beside the "    \
+               "design with four curves (splines, lines or arcs) that meet end to end, in any "    \
+               "order and direction. The first is v=0."),                                          \
+      LAM_INTEGER_KEY(params, "pick", member.pick, "[]", 1, 1000000,                               \
+                      "Which four of the file's curves, counted from 1 in their order in the "     \
+                      "file; none: it has four.")
 
 /* What a kind can take. */
 typedef struct lam_sides_limits {

@@ -82,6 +82,10 @@ static void boxes_slide_to_the_first_free_place(void **state) {
   assert_box(box, 1.596, 1.696, 0, .02);
   assert_false(lam_face_find(&face, .1, .02, 1.9, 1.6, middle, 1, &box));
   assert_false(lam_face_find(&face, .1, .1, .004, 1, middle, 1, &box)); /* too high */
+  /* exactly as wide as the way (in binary) */
+  assert_true(lam_face_find(&face, .125, .02, .5, .625, middle, 1, &box));
+  assert_true(lam_face_find(&face, .125, .02, .625, .5, middle, 1, &box));
+  assert_box(box, .5, .625, 0, .02);
   lam_arena_free(arena);
 }
 

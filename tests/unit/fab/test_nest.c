@@ -72,6 +72,25 @@ static void full_sheets_are_filled(void **state) {
   lam_arena_free(arena);
 }
 
+/* On sheets of 4 x 2: the highest first, then the widest; each in the free room that is the least
+ * higher than it, and among equals in the lowest. What fits nowhere begins a sheet. */
+static void shelves_are_filled_from_the_highest(void **state) {
+  (void)state;
+  lam_arena *arena = lam_arena_new();
+  lam_nest_item items[] = {{1, .5, 0, 0, 0},  {2, 1, 0, 0, 0},   {1, 1, 0, 0, 0},  {4, .9, 0, 0, 0},
+                           {.5, .4, 0, 0, 0}, {3, 1.5, 0, 0, 0}, {.5, .1, 0, 0, 0}};
+  static const lam_nest_item expected[] = {
+      {1, .5, 0, 0, 1.5},  {2, 1, 1, 0, 0},   {1, 1, 1, 2, 0},    {4, .9, 1, 0, 1},
+      {.5, .4, 0, 1, 1.5}, {3, 1.5, 0, 0, 0}, {.5, .1, 0, 1, 1.9}};
+  assert_int_equal(lam_nest(arena, items, 7, 4, 2), 2);
+  for (int i = 0; i < 7; i++) {
+    assert_int_equal(items[i].sheet, expected[i].sheet);
+    assert_near(items[i].x, expected[i].x, 1e-12);
+    assert_near(items[i].y, expected[i].y, 1e-12);
+  }
+  lam_arena_free(arena);
+}
+
 /* ---- kerf ---- */
 
 /* A comb of 100 x 20 mm with a slot of 2 mm moved outward by 0.1 mm: 100.2 x 20.2, slot 1.8; moved
@@ -120,6 +139,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(rectangles_do_not_overlap),
       cmocka_unit_test(full_sheets_are_filled),
+      cmocka_unit_test(shelves_are_filled_from_the_highest),
       cmocka_unit_test(offset_moves_every_side),
       cmocka_unit_test(holes_shrink_by_the_kerf),
   };

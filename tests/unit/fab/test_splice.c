@@ -116,31 +116,33 @@ static void cuts_keep_clear_of_slots(void **state) {
   lam_arena_free(s->arena);
 }
 
-/* A mark from 4.45 to 4.55 m keeps half a plate free, if there is another place; a cut of another
- * sheet keeps a plate free. */
-static void marks_and_other_cuts_are_avoided_where_possible(void **state) {
+/* A mark from 4.45 to 4.55 m keeps half a plate free; a cut of another sheet keeps a plate free. */
+static void marks_and_other_cuts_are_avoided(void **state) {
   (void)state;
   strip *s = strip_new();
-  const double other[1] = {4.5}, middle[1] = {5};
+  const double other[1] = {4.5};
   add_mark(s, false, 2, (lam_vec2[]){{4.55, 0}, {4.45, .01}});
   assert_cuts(s, 6, NULL, 0, .24, 1, (double[]){4.387});
   assert_cuts(s, 6, NULL, 0, .26, 1, (double[]){4.613});
   assert_cuts(s, 6, other, 1, .24, 1, (double[]){4.374});
   assert_cuts(s, 6, other, 1, .26, 1, (double[]){4.626});
-  /* play of 0.1 m about 5 m: first the mark is given up */
-  add_mark(s, false, 2, (lam_vec2[]){{4.8, 0}, {5.1, 0}});
-  assert_cuts(s, 5.1, NULL, 0, .5, 1, (double[]){5});
-  /* then, with the marks again, the other cut */
   lam_arena_free(s->arena);
-  s = strip_new();
-  add_mark(s, false, 2, (lam_vec2[]){{5.05, 0}, {5.05, .01}});
-  assert_cuts(s, 5.1, middle, 1, .5, 1, (double[]){4.9435}); /* 4.9 to 4.987 m are left */
-  /* at last both */
-  add_mark(s, false, 2, (lam_vec2[]){{4.8, 0}, {5.1, 0}});
-  assert_cuts(s, 5.1, middle, 1, .5, 1, (double[]){5});
-  /* slots are never cut */
-  s->slots[s->flat.slot_count++] = (lam_flat_slot){4.95, 5.05, 0, .05, 5};
-  assert_cuts(s, 5.1, middle, 1, .5, -1, NULL);
+}
+
+/* Where there is no room for a cut otherwise, marks are given up first, then the cuts of other
+ * sheets, then both; slots never. */
+static void wishes_are_given_up_in_turn(void **state) {
+  (void)state;
+  strip *s = strip_new();
+  double everywhere[50];
+  for (int i = 0; i < 50; i++) everywhere[i] = 0.1 + 0.2 * i;
+  add_mark(s, false, 2, (lam_vec2[]){{4.55, 0}, {4.45, .01}});
+  assert_cuts(s, 6, everywhere, 50, .24, 1, (double[]){4.387});
+  add_mark(s, false, 2, (lam_vec2[]){{.1, 0}, {9.9, 0}});
+  assert_cuts(s, 6, (double[]){4.5}, 1, .24, 1, (double[]){4.374});
+  assert_cuts(s, 6, everywhere, 50, .24, 1, (double[]){4.48});
+  s->slots[s->flat.slot_count++] = (lam_flat_slot){3, 7, 0, .05, 5};
+  assert_cuts(s, 6, NULL, 0, .24, -1, NULL);
   lam_arena_free(s->arena);
 }
 
@@ -243,14 +245,11 @@ static void pieces_and_plates_are_lettered(void **state) {
   lam_splice_pieces(&pieces, 0, &s->part, (double[]){4}, 1);
   double width = lam_lettering_width("A01.1", .02) + .012;
   for (int end = 0; end < 2; end++) {
-    double low = end ? 3.996 - width : .004;
-    /* near the cut the frame stands clear of the bolts' holes, 3.955 m less half a hole and 4 mm */
-    if (end) low = 3.955 - .0045 * sqrt(LAM_PI / 24 / sin(LAM_PI / 24)) - .004 - width;
     const lam_path *frame = path_of(&pieces.items[0], LAM_LAYER_ENGRAVE, false, end);
-    double bottom = end ? frame->points[0].y : -.016;
-    if (end && fabs(bottom + .016) > 1e-9) low = 3.996 - width; /* between the rows */
-    assert_near(frame->points[0].x, low, 1e-6);
-    assert_near(frame->points[1].x - frame->points[0].x, width, 1e-12);
+    assert_near(frame->points[0].x, end ? 3.996 - width : .004, 1e-12);
+    assert_near(frame->points[2].x, end ? 3.996 : .004 + width, 1e-12);
+    assert_near(frame->points[0].y, -.016, 1e-12); /* between the rows of bolts */
+    assert_near(frame->points[2].y, .016, 1e-12);
   }
   lam_vec2 min, max;
   const lam_piece *plate = &pieces.items[1];
@@ -325,7 +324,8 @@ int main(void) {
       cmocka_unit_test(plates_keep_their_distances),
       cmocka_unit_test(cuts_have_free_play),
       cmocka_unit_test(cuts_keep_clear_of_slots),
-      cmocka_unit_test(marks_and_other_cuts_are_avoided_where_possible),
+      cmocka_unit_test(marks_and_other_cuts_are_avoided),
+      cmocka_unit_test(wishes_are_given_up_in_turn),
       cmocka_unit_test(pieces_are_drilled_beside_the_cuts),
       cmocka_unit_test(pieces_and_plates_are_lettered),
       cmocka_unit_test(marks_are_shared_among_the_pieces),

@@ -71,6 +71,65 @@ static void scales_fit_their_values(void **state) {
   assert_true(lam_map_scale(&constant).constant && lam_map_scale(&zero).constant);
 }
 
+static void assert_scale(lam_map map, double low, double high, bool diverging, bool constant) {
+  lam_color_scale s = lam_map_scale(&map);
+  if (!(s.low == low && s.high == high && s.diverging == diverging && s.constant == constant))
+    fail_msg("%g to %g: scale from %g to %g, diverging %d, constant %d; expected %g, %g, %d, %d",
+             map.summary.min, map.summary.max, s.low, s.high, s.diverging, s.constant, low, high,
+             diverging, constant);
+}
+
+/* 0 is on one side; a range that is shared counts instead of the map's own; values are constant
+ * within 1e-9 of the larger one, 9e-8 of 90. */
+static void scales_have_limits(void **state) {
+  (void)state;
+  lam_map shared = map_of(1, 2), other = map_of(-1, 2);
+  shared.range[0] = -2, shared.range[1] = 7;
+  other.range[0] = 0, other.range[1] = 7;
+  assert_scale(map_of(0, 3), 0, 3, false, false);
+  assert_scale(map_of(-3, 0), -3, 0, false, false);
+  assert_scale(map_of(-4, 1), -4, 4, true, false);
+  assert_scale(map_of(-4, -1), -4, -1, false, false);
+  assert_scale(map_of(90, 90 + 1e-7), 90, 90 + 1e-7, false, false);
+  assert_scale(map_of(-90, -90 + 8e-8), -90, -90 + 8e-8, false, true);
+  assert_scale(shared, -7, 7, true, false);
+  assert_scale(other, 0, 7, false, false);
+}
+
+static void assert_color(lam_color_scale scale, double value, const char *expected) {
+  lam_arena *arena = lam_arena_new();
+  char color[8] = "";
+  lam_text text = {.arena = arena};
+  lam_rgb_write(&text, lam_color_of(&scale, value));
+  if (text.length == 7) memcpy(color, text.data, 7);
+  lam_arena_free(arena);
+  if (strcmp(color, expected)) fail_msg("%g is %s, expected %s", value, color, expected);
+}
+
+/* Colors by a program of their own from Ottosson's formulas and the constants in core/ramp.c; values
+ * beyond the ends have the colors of the ends, a constant that of the middle, what is not finite is
+ * gray: .7 of linear light is 218. */
+static void values_have_their_colors(void **state) {
+  (void)state;
+  const lam_color_scale one = {2, 6, false, false}, two = {-4, 4, true, false},
+                        constant = {2, 2, false, true};
+  assert_color(one, 2, "#321556");
+  assert_color(one, 3, "#0b5493");
+  assert_color(one, 4, "#00929b");
+  assert_color(one, 6, "#f5ea5c");
+  assert_color(one, 1, "#321556");
+  assert_color(one, 7, "#f5ea5c");
+  assert_color(two, -4, "#005bb4");
+  assert_color(two, -2, "#7fa6d8");
+  assert_color(two, 0, "#eeeeee");
+  assert_color(two, 4, "#a82418");
+  assert_color(two, -5, "#005bb4");
+  assert_color(two, 5, "#a82418");
+  assert_color(constant, 2, "#00929b");
+  assert_color(one, NAN, "#dadada");
+  assert_color(two, INFINITY, "#dadada");
+}
+
 /* 0.5 of linear light is 188 in sRGB (IEC 61966-2-1). */
 static void colors_as_text(void **state) {
   (void)state;
@@ -87,10 +146,9 @@ static void colors_as_text(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(sequential_is_even),
-      cmocka_unit_test(diverging_has_two_sides),
-      cmocka_unit_test(scales_fit_their_values),
-      cmocka_unit_test(colors_as_text),
+      cmocka_unit_test(sequential_is_even),       cmocka_unit_test(diverging_has_two_sides),
+      cmocka_unit_test(scales_fit_their_values),  cmocka_unit_test(scales_have_limits),
+      cmocka_unit_test(values_have_their_colors), cmocka_unit_test(colors_as_text),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

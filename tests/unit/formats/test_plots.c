@@ -4,10 +4,6 @@
 #include "formats/plot/plot.h"
 #include "tests/unit/text_fixture.h"
 
-#include <stdlib.h>
-
-extern const lam_format lam_format_plot;
-
 /* The sequential scale at its ends, its quarters and its middle, and what is undefined. */
 #define LOW "#321556"
 #define QUARTER "#0b5493"

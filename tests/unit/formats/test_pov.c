@@ -11,12 +11,13 @@ extern const lam_format lam_format_pov, lam_format_png;
 static const lam_material steel = {.name = "steel",
                                    .color = {.5, .25, .12346},
                                    .metallic = 1,
-                                   .roughness = .4},
+                                   .roughness = .43218},
                           oak = {.name = "oak-1", .color = {.6, .4, .2}, .roughness = .75};
 
 /* Nine triangles around the origin in z = 0, counterclockwise: all normals are (0, 0, 1). */
-static lam_vec3 fan_points[11] = {{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {4, 2, 0},  {3, 2, 0}, {2, 2, 0},
-                                  {1, 2, 0}, {0, 2, 0}, {-1, 2, 0}, {-1, 1, 0}, {-1, 0, 0}};
+static lam_vec3 fan_points[11] = {{0, 0, 0},  {4, 0, 0},  {4, 1, 0}, {4, 2, 0},
+                                  {3, 2, 0},  {2, 2, 0},  {1, 2, 0}, {0, 2, 0},
+                                  {-1, 2, 0}, {-1, 1, 0}, {-1, 0, 0}};
 static int fan_faces[9][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6},
                               {0, 6, 7}, {0, 7, 8}, {0, 8, 9}, {0, 9, 10}};
 
@@ -24,6 +25,10 @@ static int fan_faces[9][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5,
 static lam_vec3 pin_points[3] = {{0, 0, 0}, {.25, 0, 0}, {0, 0, .5}};
 static int pin_faces[1][3] = {{0, 1, 2}};
 
+/* A triangle across the axes: its normal is (1, 1, 1) / sqrt(3) = 0.5774. */
+static lam_vec3 tilted_points[3] = {{.1, 0, 0}, {0, .1, 0}, {0, 0, .1}};
+
+static lam_trimesh tilted(void) { return (lam_trimesh){3, tilted_points, 1, pin_faces}; }
 static lam_trimesh fan(void) { return (lam_trimesh){11, fan_points, 9, fan_faces}; }
 static lam_trimesh pin(void) { return (lam_trimesh){3, pin_points, 1, pin_faces}; }
 
@@ -42,6 +47,11 @@ static const lam_picture picture = {"meadow", "front", 640, 360, "thumb"};
 #define FAN_FACES                                                                                  \
   "  face_indices { 9,\n    <0,1,2>,<0,2,3>,<0,3,4>,<0,4,5>,<0,5,6>,<0,6,7>,<0,7,8>,<0,8,9>,\n"    \
   "    <0,9,10> }\n}\n"
+#define TILTED_NORMALS                                                                             \
+  "3,\n    <0.5774,0.5774,0.5774>,<0.5774,0.5774,0.5774>,<0.5774,0.5774,0.5774> }\n"
+#define TILTED_MESH(name)                                                                          \
+  "#declare " name " = mesh2 {\n  vertex_vectors { 3,\n    <0.1,0,0>,<0,0.1,0>,<0,0,0.1> }\n"      \
+  "  normal_vectors { " TILTED_NORMALS "  face_indices { 1,\n    <0,1,2> }\n}\n"
 #define PIN_MESH(name)                                                                             \
   "#declare " name " = mesh2 {\n  vertex_vectors { 3,\n    <0,0,0>,<0.25,0,0>,<0,0,0.5> }\n"       \
   "  normal_vectors { 3,\n    <0,-1,0>,<0,-1,0>,<0,-1,0> }\n  face_indices { 1,\n"                 \
@@ -70,28 +80,28 @@ static const char parts_scene[] =
     "  <1,2,3.5>, <1,2,3.5>\n}\n"
     "#declare View = \"front\";\n\n#include \"materials.inc\"\n"
     "#ifndef (Material_steel) #declare Material_steel = texture { "
-    "Plain_Material(<0.5,0.25,0.1235>, 1, 0.4) } #end\n"
+    "Plain_Material(<0.5,0.25,0.1235>, 1, 0.4322) } #end\n"
     "#ifndef (Material_oak_1) #declare Material_oak_1 = texture { "
     "Plain_Material(<0.6,0.4,0.2>, 0, 0.75) } #end\n"
     "// roof: panel of steel\n#declare Part_1 = mesh2 {\n  vertex_vectors { " FAN_VERTICES
     "  normal_vectors { " FAN_NORMALS FAN_FACES
-    "// pin: bolt of oak-1\n" PIN_MESH("Part_2") "// brace: bar of steel\n" PIN_MESH("Part_3")
-    "\n// The setting calls this once.\n#macro Model_Parts()\n"
-    "object { Part_1 Look(1, Material_steel) }\n"
-    "object { Part_2 matrix <0,1,0,-1,0,0,0,0,1,1,2,3> Look(2, Material_oak_1) }\n"
-    "object { Part_2 matrix <1,0,0,0,1,0,0,0,1,-2,0,0.1234568> Look(3, Material_oak_1) }\n"
-    "object { Part_3 Look(4, Material_steel) }\n#end\n\n#include \"meadow.inc\"\n";
+    "// pin: bolt of oak-1\n" PIN_MESH("Part_2") "// brace: bar of steel\n" TILTED_MESH(
+        "Part_3") "\n// The setting calls this once.\n#macro Model_Parts()\n"
+                  "object { Part_1 Look(1, Material_steel) }\n"
+                  "object { Part_2 matrix <0,1,0,-1,0,0,0,0,1,1,2,3> Look(2, Material_oak_1) }\n"
+                  "object { Part_2 matrix <1,0,0,0,1,0,0,0,1,-2,0,0.1234568> Look(3, "
+                  "Material_oak_1) }\n"
+                  "object { Part_3 Look(4, Material_steel) }\n#end\n\n#include \"meadow.inc\"\n";
 
 static void parts_stand_where_they_are(void **state) {
-  lam_part parts[3] = {
-      {.name = "roof", .kind = "panel", .material = &steel, .solid = fan()},
-      {.name = "pin",
-       .kind = "bolt",
-       .material = &oak,
-       .solid = pin(),
-       .instance_count = 2,
-       .instances = places},
-      {.name = "brace", .kind = "bar", .material = &steel, .solid = pin()}};
+  lam_part parts[3] = {{.name = "roof", .kind = "panel", .material = &steel, .solid = fan()},
+                       {.name = "pin",
+                        .kind = "bolt",
+                        .material = &oak,
+                        .solid = pin(),
+                        .instance_count = 2,
+                        .instances = places},
+                       {.name = "brace", .kind = "bar", .material = &steel, .solid = tilted()}};
   static const lam_vec3 supports[5] = {
       {0, 0, .5}, {1, 1, .25}, {2, 0, .75}, {3, 0, .5}, {4, 0, .5}};
   lam_model model = {.name = "thing",
@@ -165,9 +175,10 @@ static void a_net_has_faces_and_lines(void **state) {
 }
 
 /* A triangle of which one side has no length: the mean of 0.4, 0 and 0.4 is 0.8 / 3, and all is
- * boundary: 2 x 0.026 x 0.8 / 3 = 0.013867, with a decimal more than coordinates. */
+ * boundary: 2 x 0.026 x 0.8 / 3 = 0.013867, with a decimal more than coordinates, which have five
+ * where the model is larger than 2 m. */
 static void a_side_of_no_length_has_no_line(void **state) {
-  lam_vec3 x[4] = {{0, 0, 0}, {.4, 0, 0}, {.4, 0, 0}, {9, 9, 9}};
+  lam_vec3 x[4] = {{0, 0, 0}, {.4, 0, 0}, {.4, 0, 0}, {2.1, 0, 0}};
   int faces[1][4] = {{0, 1, 2, -1}};
   lam_mesh net = {4, x, 1, faces};
   lam_model model = {.name = "net", .title = "net", .net = &net, .picture = picture};
@@ -189,9 +200,8 @@ static const char print_scene[] =
     "    <0,1>,<0.1,0.95>,<0.2,0.9>,<0.3,0.85>,<0.4,0.8>,<0.5,0.75>,\n"
     "    <0.6,0.7>,<0.7,0.65>,<0.8,0.6>,<0.9,0.55>,<1,0.5> }\n" FAN_FACES
     "// print: flag\n#declare Sheet_2 = mesh2 {\n  vertex_vectors { 3,\n"
-    "    <0,0,0>,<0.25,0,0>,<0,0,0.5> }\n"
-    "  normal_vectors { 3,\n    <0,-1,0>,<0,-1,0>,<0,-1,0> }\n"
-    "  uv_vectors { 3,\n    <0,1>,<0.1,0.95>,<0.2,0.9> }\n"
+    "    <0.1,0,0>,<0,0.1,0>,<0,0,0.1> }\n"
+    "  normal_vectors { " TILTED_NORMALS "  uv_vectors { 3,\n    <0.12346,0.76543>,<1,0>,<0,1> }\n"
     "  face_indices { 1,\n    <0,1,2> }\n}\n"
     "\n// The setting calls this once.\n#macro Model_Parts()\n"
     "object { Part_1 matrix <0,1,0,-1,0,0,0,0,1,1,2,3> Look(1, Material_oak_1) }\n"
@@ -204,10 +214,11 @@ static const char print_scene[] =
 
 static void prints_are_meshes_with_a_picture(void **state) {
   static const unsigned char pixels[12] = {1, 2, 3, 40, 50, 60, 70, 80, 90, 255, 0, 128};
+  static const lam_vec2 corners[3] = {{.1234567, .7654321}, {1, 0}, {0, 1}};
   lam_vec2 texture[11];
   for (int i = 0; i < 11; i++) texture[i] = (lam_vec2){i / 10., 1 - i / 20.};
   lam_printed sheets[2] = {{.name = "sail", .mesh = fan(), .texture = texture},
-                           {.name = "flag", .mesh = pin(), .texture = texture}};
+                           {.name = "flag", .mesh = tilted(), .texture = corners}};
   lam_print print = {4, 1, pixels, 2, sheets};
   lam_part part = {.name = "pin",
                    .kind = "bolt",
@@ -230,7 +241,7 @@ static void prints_are_meshes_with_a_picture(void **state) {
 
   lam_text png = {.arena = *state};
   assert_int_equal(lam_format_pov.write(&model, 1, &png), LAM_OK);
-  
+
   png_image image = {.version = PNG_IMAGE_VERSION};
   unsigned char read[12];
   assert_true(png_image_begin_read_from_memory(&image, png.data, png.length));

@@ -113,6 +113,34 @@ static void angles_of_an_uneven_star(void **state) {
   }
 }
 
+/* A flat net whose middle line along u is (0, 0), (1, 0), (2, 0), (3, h), (4, h): rolled out it is
+ * itself. Its chord is hypot(4, h) long, from which the points are 0, h, 2 h, h and 0 over that
+ * away. Lines along v are straight; those of the border are not asked. The same with u and v
+ * exchanged. */
+static void a_line_rolled_out(void **state) {
+  net_fixture *f = *state;
+  double h = .3, length = 3 + hypot(1, h), chord = hypot(4, h);
+  static const double off[5] = {0, 1, 2, 1, 0};
+  for (int turn = 0; turn < 2; turn++) {
+    lam_mesh mesh = net_grid(f->arena, turn ? 3 : 5, turn ? 5 : 3, net_plane);
+    int along = turn ? 1 : 3, across = turn ? 5 : 1;
+    for (int i = 0; i < 5; i++)
+      for (int j = 0; j < 3; j++) {
+        lam_vec3 x = lam_v3(i, j + (i > 2 ? h : 0), 0);
+        mesh.vertices[along * i + across * j] = turn ? lam_v3(x.y, x.x, 0) : x;
+      }
+    lam_net net = net_built(f, &mesh);
+    lam_measuring in = lam_measuring_of(f->arena, &net, mesh.vertices);
+    const char *name = turn ? "straightness_v" : "straightness_u";
+    const double *values = lam_measure_values(lam_measure_find(name), &in);
+    for (int i = 0; i < 5; i++) {
+      assert_near(values[along * i + across], off[i] * h / chord / length, 1e-14);
+      assert_true(values[along * i] == LAM_UNDEFINED);
+    }
+    assert_near(measured(f, &mesh, turn ? "straightness_u" : "straightness_v").max, 0, 1e-14);
+  }
+}
+
 /* Arms that fall by 45 degrees around a flat star of right angles: each angle is 60 degrees, the
  * defect 120. With one arm level: two of 60 and two of 90, 60 are missing. */
 static void angle_defects_of_stars(void **state) {
@@ -256,6 +284,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       NET_TEST(values_scale_by_the_unit_that_is_named),
       NET_TEST(angles_of_an_uneven_star),
+      NET_TEST(a_line_rolled_out),
       NET_TEST(angle_defects_of_stars),
       NET_TEST(conicality_of_an_uneven_roof),
       NET_TEST(stars_of_more_arms_than_there_is_room_for),

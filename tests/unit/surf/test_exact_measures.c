@@ -16,19 +16,20 @@ static double at_knot(side s, const double *knots, int count, int k) {
   return s.low + (s.high - s.low) * (knots[k] - knots[0]) / (knots[count - 1] - knots[0]);
 }
 
-/* Biquadratic and exact by polar forms: the control point of knots a, b and c, d has x = (a + b) /
- * 2, y = (c + d) / 2, z = a b + x y - c d. Knots have three of both ends; n and m control points.
- */
+/* Of degrees 2 and 3, exact by polar forms: the control point of knots a, b and c, d, e has x = (a +
+ * b) / 2, y = (c + d + e) / 3, z = a b + x y - (c d + c e + d e) / 3. n and m control points. */
 static lam_spline_surface saddle(lam_arena *arena, side x, side y, double *u, int n, double *v,
                                  int m) {
-  lam_spline_surface s = {.degree = {2, 2}, .count = {n, m}, .knots = {u, v}};
+  lam_spline_surface s = {.degree = {2, 3}, .count = {n, m}, .knots = {u, v}};
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, n * m);
   s.points = points;
   for (int i = 0; i < n; i++)
     for (int j = 0; j < m; j++) {
-      double a = at_knot(x, u, n + 3, i + 1), b = at_knot(x, u, n + 3, i + 2),
-             c = at_knot(y, v, m + 3, j + 1), d = at_knot(y, v, m + 3, j + 2);
-      points[i * m + j] = lam_v3((a + b) / 2, (c + d) / 2, a * b + (a + b) * (c + d) / 4 - c * d);
+      double a = at_knot(x, u, n + 3, i + 1), b = at_knot(x, u, n + 3, i + 2), k[3];
+      for (int l = 0; l < 3; l++) k[l] = at_knot(y, v, m + 4, j + 1 + l);
+      points[i * m + j] = lam_v3((a + b) / 2, (k[0] + k[1] + k[2]) / 3, 0);
+      points[i * m + j].z = a * b + points[i * m + j].x * points[i * m + j].y -
+                            (k[0] * k[1] + k[0] * k[2] + k[1] * k[2]) / 3;
     }
   return s;
 }
@@ -36,9 +37,9 @@ static lam_spline_surface saddle(lam_arena *arena, side x, side y, double *u, in
 /* 1 <= x <= 3 over 0 <= u <= 2, 1/2 <= y <= 1 over 1 <= v <= 3 with a knot at 2; or mirrored, so
  * that another corner is the bent one. */
 static lam_spline_surface mirrored(lam_arena *arena, int which) {
-  static double u[] = {0, 0, 0, 2, 2, 2}, v[] = {1, 1, 1, 2, 3, 3, 3};
+  static double u[] = {0, 0, 0, 2, 2, 2}, v[] = {1, 1, 1, 1, 2, 3, 3, 3, 3};
   side x = which & 1 ? (side){3, 1} : (side){1, 3}, y = which & 2 ? (side){1, .5} : (side){.5, 1};
-  return saddle(arena, x, y, u, 3, v, 4);
+  return saddle(arena, x, y, u, 3, v, 5);
 }
 
 /* With z_x = 2 x + y, z_y = x - 2 y: W^2 = 1 + z_x^2 + z_y^2 = 1 + 5 (x^2 + y^2), K = -5 / W^4,
@@ -120,7 +121,7 @@ static void thin_plate_energy(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
   lam_spline_surface s = mirrored(arena, 0);
-  assert_near(lam_thin_plate_energy(arena, &s, 3), 16.5625, 1e-12);
+  assert_near(lam_thin_plate_energy(arena, &s, 4), 16.5625, 1e-12);
   lam_arena_free(arena);
 }
 
@@ -144,8 +145,8 @@ static double chord_ratio(int i, double t) {
 static void sides_against_asymptotic_curves(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
-  double u[] = {0, 0, 0, 1, 1, 1}, v[] = {0, 0, 0, 1, 1, 1};
-  lam_spline_surface s = saddle(arena, (side){1, 3}, (side){.5, 1}, u, 3, v, 3);
+  double u[] = {0, 0, 0, 1, 1, 1}, v[] = {0, 0, 0, 0, 1, 1, 1, 1};
+  lam_spline_surface s = saddle(arena, (side){1, 3}, (side){.5, 1}, u, 3, v, 4);
   for (int curved = 0; curved < 5; curved++) { /* one side after the other; 4: none */
     bool straight[4];
     double ratio, sine, expected = 0, angle = 0;
