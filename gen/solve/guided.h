@@ -15,7 +15,7 @@ typedef struct lam_schedule {
   double floor;     /* below this the weight becomes 0 */
   double tolerance; /* on the largest hard residual (mean edge length = 1) */
   int max_iterations;
-  bool fade_soft; /* soft blocks fade with the fairness too (terms of a guide, not soft constraints) */
+  bool fade_soft; /* soft blocks fade with the fairness too: terms of a guide */
 } lam_schedule;
 
 /* What a solve came to. */

@@ -51,6 +51,17 @@ static const char *get(fixture *f, const char *folder, const char *name) {
   return f->text;
 }
 
+/* Makes base/bin/NAME a program, and the only folder of PATH with it. */
+static void stand_in(fixture *f, const char *name, const char *script) {
+  char bin[64], path[96];
+  snprintf(bin, sizeof bin, "%s/bin", f->base);
+  mkdir(bin, 0777);
+  put(path_in(f, bin, name), script);
+  chmod(f->name, 0755);
+  snprintf(path, sizeof path, "%s:/usr/bin:/bin", bin);
+  setenv("PATH", path, 1);
+}
+
 static int set_up(void **state) {
   static fixture f;
   f = (fixture){.base = "/tmp/lamella-write-XXXXXX"};
@@ -60,6 +71,7 @@ static int set_up(void **state) {
   put(f.design, design_text);
   put(path_in(&f, f.base, "my start.obj"), start_text);
   lam_session_set_templates(f.session, "templates");
+  stand_in(&f, "povray", "#!/bin/sh\nexit 1\n"); /* no test waits for a real picture */
 
   lam_design_source source = {.path = f.design};
   const lam_design *design;
@@ -93,17 +105,6 @@ static void assert_first(fixture *f, const char *key, const char *text) {
   assert_non_null(first);
   assert_string_equal(first->text, text);
   if (key) assert_string_equal(first->key, key);
-}
-
-/* Makes base/bin/NAME a program, and the only folder of PATH with it. */
-static void stand_in(fixture *f, const char *name, const char *script) {
-  char bin[64], path[96];
-  snprintf(bin, sizeof bin, "%s/bin", f->base);
-  mkdir(bin, 0777);
-  put(path_in(f, bin, name), script);
-  chmod(f->name, 0755);
-  snprintf(path, sizeof path, "%s:/usr/bin:/bin", bin);
-  setenv("PATH", path, 1);
 }
 
 /* ---- folders and lists ---- */
@@ -156,8 +157,6 @@ static void a_whole_build_takes_away_what_is_gone(void **state) {
   w = written_as(f, f->model, (lam_write_options){.skip = "png,obj,pov"});
   assert_int_equal(w.removed, 0);
   assert_non_null(get(f, f->out, "gone.stl"));
-
-  stand_in(f, "povray", "#!/bin/sh\nexit 1\n");
 
   /* another design leaves all of it, and begins a list of its own */
   lam_model other = *f->model;

@@ -45,6 +45,14 @@ static inline void assert_lines(const char *what, const char *value, const char 
   }
 }
 
+/* The same for a text that is expected in pieces, up to NULL. */
+static inline void assert_pieces(lam_arena *arena, const char *what, const char *value,
+                                 const char *const *expected) {
+  lam_text text = {.arena = arena};
+  for (; *expected; expected++) lam_text_add(&text, *expected);
+  assert_lines(what, value, text.data);
+}
+
 /* Fails when the text does not hold the piece, or when it holds what it must not. */
 static inline void assert_holds(const char *text, const char *piece) {
   if (!strstr(text, piece)) fail_msg("no \"%s\" in:\n%s", piece, text);

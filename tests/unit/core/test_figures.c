@@ -25,7 +25,7 @@ static lam_vec3 in_frame(double x, double y, double z) {
   return lam_along(lam_along(lam_scale(frame[0], x), y, frame[1]), z, frame[2]);
 }
 
-/* The corners of a box of half sides a, b, c in any frame and order: standard deviations a, b, c. */
+/* The corners of a box of half sides a, b, c in any frame and order: deviations a, b, c. */
 static void a_box_has_the_spread_of_its_sides(void **state) {
   (void)state;
   static const double sides[6][3] = {{1, 2, 3}, {1, 3, 2}, {2, 1, 3},
@@ -65,6 +65,30 @@ static void eigenvalues_of_a_known_matrix(void **state) {
       found++;
     }
     assert_int_equal(found, 1);
+  }
+}
+
+/* sum sigma_k f_k g_k^T with f the frame above and g = (f_2, -f_0, f_1): sigma descending, whatever
+ * their order here; column k of v is g_k, of a v sigma_k f_k. Three columns need several rounds. */
+static void singular_values_of_a_known_matrix(void **state) {
+  (void)state;
+  static const double sizes[3] = {.5, 3, 2};
+  static const int descending[3] = {1, 2, 0};
+  const lam_vec3 right[3] = {frame[2], lam_scale(frame[0], -1), frame[1]};
+  double a[9] = {0}, sigma[3], v[9];
+  for (int k = 0; k < 3; k++) {
+    const double f[3] = {frame[k].x, frame[k].y, frame[k].z},
+                 g[3] = {right[k].x, right[k].y, right[k].z};
+    for (int i = 0; i < 9; i++) a[i] += sizes[k] * f[i / 3] * g[i % 3];
+  }
+  lam_singular_values(3, a, sigma, v);
+  for (int k = 0; k < 3; k++) {
+    int from = descending[k];
+    lam_vec3 column = lam_v3(v[k], v[3 + k], v[6 + k]), image = lam_v3(a[k], a[3 + k], a[6 + k]);
+    double sign = lam_dot(column, right[from]) > 0 ? 1 : -1;
+    assert_near(sigma[k], sizes[from], 1e-14);
+    assert_near(lam_distance(column, lam_scale(right[from], sign)), 0, 1e-13);
+    assert_near(lam_distance(image, lam_scale(frame[from], sign * sigma[k])), 0, 1e-13);
   }
 }
 
@@ -180,6 +204,34 @@ static void a_prism_is_cut(void **state) {
   assert_true(topology.closed && topology.oriented && topology.components == 1);
 }
 
+/* A small hollow in a tetrahedron of legs 4 is a cavity; the same inverted box beside the
+ * tetrahedron, though within its bounds, is a solid turned inside out. */
+static void cavities_lie_inside(void **state) {
+  lam_vec3 x[4] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  int triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  lam_trimesh outer = {4, x, 4, triangles};
+  for (int k = 0; k < 64; k++) {
+    lam_vec3 at = lam_v3(.2 + k % 4, .3 + k / 4 % 4, .3 + k / 16);
+    lam_trimesh box = mesh_box(*state, at, lam_add(at, lam_v3(.05, .05, .05)));
+    lam_trimesh hollow = mesh_inverted(*state, &box), pair = mesh_pair(*state, &outer, &hollow);
+    lam_solid_facts facts;
+    bool inside = at.x + at.y + at.z + .15 < 4;
+    assert_int_equal(lam_solid_measure(&pair, false, &facts), LAM_OK);
+    if (facts.oriented != inside)
+      fail_msg("a hollow at %g %g %g is %s", at.x, at.y, at.z, inside ? "refused" : "accepted");
+    assert_near(facts.volume, 64 / 6. - .05 * .05 * .05, 1e-13);
+  }
+}
+
+static void nothing_is_not_closed(void **state) {
+  (void)state;
+  lam_topology topology;
+  lam_trimesh none = {0};
+  assert_int_equal(lam_topology_make(&none, NULL, NULL, &topology), LAM_OK);
+  assert_false(topology.closed);
+  assert_int_equal(topology.components, 0);
+}
+
 /* Two tetrahedra of legs 1, one moved up by h: common is the one of legs 1 - h. With a mirrored
  * twin beside it: nothing. */
 static void common_volumes(void **state) {
@@ -247,7 +299,7 @@ static void distances_both_ways(void **state) {
   assert_int_equal(lam_solid_hausdorff(&small, &large, 0, &there, &back), LAM_BAD_INPUT);
 }
 
-/* A flat triangle over a pit of depth 1: only samples inside the triangle see it, not its corners. */
+/* A flat triangle over a pit of depth 1, which only samples inside the triangle see. */
 static void samples_are_as_dense_as_asked(void **state) {
   (void)state;
   lam_vec3 flat[3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
@@ -270,10 +322,13 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       TEST(a_box_has_the_spread_of_its_sides),
       TEST(eigenvalues_of_a_known_matrix),
+      TEST(singular_values_of_a_known_matrix),
       TEST(energy_on_a_line),
       TEST(colors_have_the_lightness_and_hue_of_the_scale),
       TEST(channels_follow_the_standard),
       TEST(a_prism_is_cut),
+      TEST(cavities_lie_inside),
+      TEST(nothing_is_not_closed),
       TEST(common_volumes),
       TEST(placed_triangles),
       TEST(welding_has_a_tolerance),

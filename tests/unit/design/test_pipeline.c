@@ -46,7 +46,7 @@ static void cells_of_the_net(void **state) {
     const lam_model *m = made(f, lam_arena_printf(f->arena, "%s%s", DOME, rows[i].net), NULL);
     assert_int_equal(m->net->face_count, rows[i].faces);
     assert_int_equal(m->report->stage_count, rows[i].stages);
-    if (rows[i].stages) assert_string_equal(m->report->stages[0].name, "net");
+    if (rows[i].stages) assert_string_equal(m->report->stages[0].name, "net: free");
   }
 }
 
@@ -59,14 +59,14 @@ static void nets_stand_on_the_ground(void **state) {
     low = fmin(low, m->net->vertices[v].z);
     high = fmax(high, m->net->vertices[v].z);
   }
-  /* of size 4 m: the square of 2 is doubled, so that the middle is (.2 + .3) * 2 above the corners */
+  /* of size 4 m: the square of 2 is doubled, its middle (.2 + .3) * 2 above the corners */
   assert_near(low, 0, 1e-12);
   assert_near(high, 1, 1e-12);
   assert_int_equal(m->support_count, 4); /* the corners */
 }
 
-/* 5 x 3 vertices, of the heights 0 to 1; supports are those of the border that no neighbor is below,
- * up to a fiftieth of the height. */
+/* 5 x 3 vertices, of the heights 0 to 1; supports are those of the border that no neighbor is
+ * below, up to a fiftieth of the height. */
 static lam_mesh hills(net_fixture *f) {
   static const double z[15] = {0, .5, .5, .5, -.0, .4, .019, .3, .5, .021, .6, .5, 1, .7, .015};
   lam_mesh mesh = net_grid(f->arena, 5, 3, net_plane);
@@ -104,8 +104,8 @@ static void lines_have_names(void **state) {
   assert_int_equal(made(f, DOME, NULL)->curve_count, 0); /* no net was asked for */
 }
 
-/* Noise of a tenth: no vertex moves by more than sqrt 3 tenths of the mean edge, some by half of it;
- * the same seed moves alike. */
+/* Noise of a tenth: no vertex moves by more than sqrt 3 tenths of the mean edge, some by half of
+ * it; the same seed moves alike. */
 static void noise_is_a_part_of_the_mean_edge(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = net_grid(f->arena, 6, 6, net_plane);
@@ -135,7 +135,7 @@ static void stages_and_sheets_of_a_report(void **state) {
       DOME "net: {kind: free, grid: [3, 3]}\nparts: [{kind: lamella, height: 60 mm, thickness: "
            "1 mm}]\nsheets: {stock: [3 m, 0.4 m]}\nplots: [edge_length, spacing_u]\n",
       NULL);
-  static const char *const stages[] = {"net", "lamellas", "clash", "sheets"};
+  static const char *const stages[] = {"net: free", "lamellas", "clash", "sheets"};
   assert_int_equal(m->report->stage_count, 4);
   for (int i = 0; i < 4; i++) assert_string_equal(m->report->stages[i].name, stages[i]);
 
@@ -166,11 +166,10 @@ static void stages_and_sheets_of_a_report(void **state) {
  * ground. */
 static void surfaces_stand_where_the_net_does(void **state) {
   net_fixture *f = *state;
-  const lam_model *m =
-      made(f,
-           HEAD "surface: {kind: bezier, degree: [1, 1], points: [[0, 0, 1], [0, 1, "
-                "1], [1, 0, 1], [1, 1, 2]], size: 4 m}\nnet: {kind: free, grid: [2, 2]}\n",
-           NULL);
+  static const char yaml[] = HEAD
+      "surface: {kind: bezier, count: [2, 2], size: 4 m, points: [0, 0, 1, 0, 1, 1, 1, 0, 1, 1, 1, "
+      "2]}\nnet: {kind: free, grid: [2, 2]}\n";
+  const lam_model *m = made(f, yaml, NULL);
   assert_int_equal(m->surface_count, 1);
   const lam_spline_surface *s = m->surfaces;
   assert_string_equal(s->name, "surface");
@@ -190,7 +189,7 @@ static void what_does_not_go_together_is_told(void **state) {
   } rows[] = {
       {FROM_FILE "}\n", "net.from.file", "a.obj was not read by this caller"},
       {HEAD "net: {kind: free, from: {design: b}}\n", "net.from.design", "b was not read"},
-      {HEAD "net: {kind: free}\n", "surface", "not given; expected a surface, or net.from"},
+      {HEAD "net: {kind: free}\n", "net", "a net without a surface"},
       {DOME "net: {kind: free, grid: [3, 3], coarsen: 3}\n", "net.coarsen", "a single face"},
       {DOME "net: {kind: free, grid: [1, 4], diagonalize: yes}\n", "net.diagonalize",
        "no inner vertex"},
@@ -201,8 +200,8 @@ static void what_does_not_go_together_is_told(void **state) {
       {HEAD "plots: [edge_length]\n", "plots", "there is no net to plot"},
       {DOME "plots: [flatness]\n", "plots", "flatness is one number for the whole net"},
       {HEAD "parts: [{kind: lamella, height: 60 mm, thickness: 1 mm}]\n", "parts",
-       "there is no net to make parts from"},
-      {DOME "texture: {motif: checks}\n", "texture", "there is no spline surface to print on"},
+       "parts without a net; expected net"},
+      {DOME "texture: {motif: checker}\n", "texture", "there is no spline surface to print on"},
   };
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     assert_null(built(f, rows[i].yaml, NULL));

@@ -164,8 +164,9 @@ static void names_stay_near_their_end(void **state) {
       fail_msg("case %zu", i);
     assert_int_equal(paths.count, before + (cases[i].found ? 3 : 0));
   }
-  /* A slit of 9 mm between edge and a taken box: with margins 1 mm is left, so letters of .6 mm would
-   * do, and 2 mm, the smallest, do not. 20 mm of room take 12 mm: letters of 7 mm, .35 of 20 mm. */
+  /* A slit of 9 mm between edge and a taken box: with margins 1 mm is left, so letters of .6 mm
+   * would do, and 2 mm, the smallest, do not. 20 mm of room take 12 mm: letters of 7 mm, .35 of
+   * 20 mm. */
   lam_face low = lam_face_make(arena, &axis, 0, 2, .1);
   lam_face_take(&low, (lam_face_box){0, 2, -.05, .03});
   const double top[1] = {.04};

@@ -1,4 +1,5 @@
-/* What the report says of lamellas, on strips made by hand: every measure against its closed form. */
+/* What the report says of lamellas, on strips made by hand: every measure against its closed
+ * form. */
 #include "core/numbers.h"
 #include "core/solid/triangles.h"
 #include "fab_fixture.h"
@@ -31,8 +32,8 @@ static lam_sheet_strip arc(lam_arena *arena, double radius, bool upright) {
 
 static const lam_lamella_grid grid = {.height = 0.1, .thickness = 0.002};
 
-/* A strip that is bent only: 0.1 rad per chord of 2 R sin(0.05), times t/2. Its ends are extensions:
- * a sharper bend beside them does not count. */
+/* A strip that is bent only: 0.1 rad per chord of 2 R sin(0.05), times t/2. Its ends are
+ * extensions: a sharper bend beside them does not count. */
 static void bending(void **state) {
   lam_sheet_strip strip = arc(*state, 3, true);
   strip.stations[0].x = lam_v3(-3, 1, 0);
@@ -48,8 +49,9 @@ static void bending(void **state) {
   assert_int_equal(r.slots, 2);
 }
 
-/* A strip that lies in the plane of its arc: it bows by R (1 - cos .3) on a length of 6 chords; made
- * straight it would strain by h/2 times the curvature; its edges are longer and shorter by h/2R. */
+/* A strip that lies in the plane of its arc: it bows by R (1 - cos .3) on a length of 6 chords;
+ * made straight it would strain by h/2 times the curvature; its edges are longer and shorter by
+ * h/2R. */
 static void bowing(void **state) {
   lam_sheet_strip strip = arc(*state, 3, false);
   lam_strip_measures r = lam_strip_measure(*state, &grid, &strip);
@@ -62,8 +64,8 @@ static void bowing(void **state) {
   assert_near(r.twist, 0, 1e-12);
 }
 
-/* A straight strip with m turning about it by 0.1 rad in 0.5 m, and by twice that in the extensions,
- * which count for the edges alone. */
+/* A straight strip with m turning about it by 0.1 rad in 0.5 m, and by twice that in the
+ * extensions, which count for the edges alone. */
 static void twisting(void **state) {
   lam_sheet_strip strip = strip_new(*state);
   static const double angle[N] = {-.2, 0, .1, .2, .3, .4, .6};

@@ -1,5 +1,5 @@
-/* What a row of lamellas hands on: names, facts, records for OpenSCAD, curves and crossings; and the
- * messages about keys that do not fit. */
+/* What a row of lamellas hands on: names, facts, records for OpenSCAD, curves and crossings; and
+ * the messages about keys that do not fit. */
 #include "core/numbers.h"
 #include "fab_fixture.h"
 #include "tests/unit/asserts.h"

@@ -89,8 +89,8 @@ static void slots_open_to_the_side_of_the_turn(void **state) {
   assert_near(q.slot_high, -low, 1e-5);
 }
 
-/* At its end a line leaves as the arc would through the last points: on a circle, along its tangent.
- * Alone, the direction across is square to it; two vertices make a straight line. */
+/* At its end a line leaves as the arc would through the last points: on a circle, along its
+ * tangent. Alone, the direction across is square to it; two vertices make a straight line. */
 static void lines_end_as_arcs(void **state) {
   (void)state;
   lam_vec3 at[3], normals[3];
@@ -238,16 +238,16 @@ static void sheets_of_pairs_say_which_side_is_out(void **state) {
   lam_arena_free(arena);
 }
 
-/* Left of a tick when there is no room on its right: two crossings 60 mm apart, a name of 41 mm. The
- * first one's is on its left: right of it the second tick is too near. */
+/* Left of a tick when there is no room on its right: two crossings 50 mm apart, a name of 37 mm.
+ * The first one's is on its left: right of it the second tick is too near. */
 static void partners_names_change_sides(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
-  lam_lamella_grid *grid = plane_grid(arena, 2, .054, LAM_PI / 2, .1, .0015, 0, .00025, 1);
+  lam_lamella_grid *grid = plane_grid(arena, 2, .05, LAM_PI / 2, .1, .0015, 0, .00025, 1);
   const lam_flat *flat = lam_lamella_flat(arena, grid, &grid->strips[0]);
   double width = lam_lettering_width("B01", .02);
   int at = 0;
-  assert_true(.01 + width + .004 > .054); /* it cannot stand between the ticks */
+  assert_true(.01 + width + .004 > .05); /* it cannot stand between the ticks */
   for (int i = 0; i < 2 * strokes(arena, "A01"); i++) next_on(flat, LAM_LAYER_LABEL, &at);
   lam_paths partner = {.arena = arena};
   lam_lettering_add(&partner, LAM_LAYER_LABEL, "B01", lam_v2(.99 - width, -.035), 0, .02);

@@ -109,8 +109,8 @@ static void assert_point(const lam_path *path, int k, double x, double y) {
              path->points[k].y, x, y);
 }
 
-/* On a grid with capitals 9 high, drawn .8 as wide: L is 5 wide, then come 2.5 of gap. The tail of j
- * is a parabola from (2, -1) over the control point (2, -3) to (0, -3): at t = 1/5 it is at
+/* On a grid with capitals 9 high, drawn .8 as wide: L is 5 wide, then come 2.5 of gap. The tail
+ * of j is a parabola from (2, -1) over the control point (2, -3) to (0, -3): at t = 1/5 it is at
  * .64 a + .32 b + .04 c. */
 static void letters_are_drawn_point_by_point(void **state) {
   (void)state;

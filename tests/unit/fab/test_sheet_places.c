@@ -59,8 +59,8 @@ static void lay(table *t, int count, lam_sheet_options options) {
       lam_sheets_make(t->arena, t->parts, count, options, (lam_location){"d", 3, 1}, &t->errors);
 }
 
-/* Two of 300 x 100 mm with a hole of 20 mm, one of 200 x 50 mm, one of oak; kerf 1 mm, margin 10 mm,
- * spacing 4 mm. Outlines grow by half the kerf on every side, and holes shrink by it. */
+/* Two of 300 x 100 mm with a hole of 20 mm, one of 200 x 50 mm, one of oak; kerf 1 mm, margin 10
+ * mm, spacing 4 mm. Outlines grow by half the kerf on every side, and holes shrink by it. */
 static table four_parts(void) {
   table t = {.arena = lam_arena_new()};
   t.parts[0] = (lam_part){.name = "A", .material = &steel, .instance_count = 2, .length = .3};
@@ -117,8 +117,8 @@ static void pieces_lie_where_they_fit(void **state) {
   lam_arena_free(t.arena);
 }
 
-/* On stock of 0.5 x 1 m everything is turned to the left by a quarter: what lay along the lower edge
- * stands along the right one. */
+/* On stock of 0.5 x 1 m everything is turned to the left by a quarter: what lay along the lower
+ * edge stands along the right one. */
 static void upright_stock_turns_the_layout(void **state) {
   (void)state;
   table t = four_parts();
@@ -215,9 +215,9 @@ static void splices_of_neighbors_are_staggered(void **state) {
   lam_arena_free(t.arena);
 }
 
-/* The third sheet would be cut at 4.3 m, where the first one is, which runs the other way: 5.7 m in
- * the direction of travel, 4.3 m in its own. It keeps a plate (126 mm) away, both ways around. Parts
- * without a lamella do not mind each other. */
+/* The third sheet would be cut at 4.3 m, where the first one is, which runs the other way: 5.7 m
+ * in the direction of travel, 4.3 m in its own. It keeps a plate (126 mm) away, both ways
+ * around. Parts without a lamella do not mind each other. */
 static void reversed_sheets_keep_the_distance_too(void **state) {
   (void)state;
   for (int k = 0; k < 4; k++) {

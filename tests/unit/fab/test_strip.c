@@ -176,9 +176,9 @@ static void crossings_of_outlines_are_counted(void **state) {
 
 enum { n = 9 };
 
-/* An arc of radius 3 m in steps of 0.1 rad, m in its plane, away from its center (side 1) or towards
- * it (-1). It lies in a plane already: the flat line bends away from m, or towards m. By planes and
- * by angles the first edge runs along x; by triangles the first section is upright. */
+/* An arc of radius 3 m in steps of 0.1 rad, m in its plane, away from its center (side 1) or
+ * towards it (-1). It lies in a plane already: the flat line bends away from m, or towards m. By
+ * planes and by angles the first edge runs along x; by triangles the first section is upright. */
 static void arcs_bend_to_their_side(void **state) {
   (void)state;
   const double radius = 3, step = 0.1, chord = 2 * radius * sin(step / 2);

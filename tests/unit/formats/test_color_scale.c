@@ -106,9 +106,9 @@ static void assert_color(lam_color_scale scale, double value, const char *expect
   if (strcmp(color, expected)) fail_msg("%g is %s, expected %s", value, color, expected);
 }
 
-/* Colors by a program of their own from Ottosson's formulas and the constants in core/ramp.c; values
- * beyond the ends have the colors of the ends, a constant that of the middle, what is not finite is
- * gray: .7 of linear light is 218. */
+/* Colors by a program of their own from Ottosson's formulas and the constants in core/ramp.c;
+ * values beyond the ends have the colors of the ends, a constant that of the middle, what is not
+ * finite is gray: .7 of linear light is 218. */
 static void values_have_their_colors(void **state) {
   (void)state;
   const lam_color_scale one = {2, 6, false, false}, two = {-4, 4, true, false},

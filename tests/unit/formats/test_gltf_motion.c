@@ -1,5 +1,5 @@
-/* The animation of a net and its color maps as glTF files, number by number; what is computed of the
- * hand-made nets is said beside it. */
+/* The animation of a net and its color maps as glTF files, number by number; what is computed of
+ * the hand-made nets is said beside it. */
 #include "formats/plot/color_scale.h"
 #include "tests/unit/gltf_fixture.h"
 
@@ -110,8 +110,10 @@ static void lines_may_be_missing(void **state) {
   }
   assert_near(number(json_object_get(m[0], "pbrMetallicRoughness"), "roughnessFactor"), .8, 1e-12);
 
-  model.polyline_count = 0;
+  assert_string_equal(json_string_value(json_object_get(item(&s, "scenes", 0), "name")), "A fold");
+  model.polyline_count = 0, model.title = NULL;
   s = read_scene(*state, &lam_format_animation, &model, 0);
+  assert_string_equal(json_string_value(json_object_get(item(&s, "scenes", 0), "name")), "fold");
   assert_int_equal(json_array_size(json_object_get(s.root, "nodes")), 2);
   assert_int_equal(json_array_size(json_object_get(s.root, "meshes")), 1);
   assert_int_equal(json_array_size(json_object_get(s.root, "materials")), 1);
@@ -142,9 +144,9 @@ static void assert_colors(const scene *s, const lam_map *map, const int *of, int
   assert_floats(s, attribute(primitive_of(s, 0), "COLOR_0"), "VEC3", count, colors, "colors");
 }
 
-/* Values on vertices: faces share the net's vertices. The layout lies a tenth of the net's width (2)
- * beside it: its leftmost point at x = 2.2, its lowest at the net's lowest y, on the net's lowest z.
- * A normal of zero looks up. */
+/* Values on vertices: faces share the net's vertices. The layout lies a tenth of the net's width
+ * (2) beside it: its leftmost point at x = 2.2, its lowest at the net's lowest y, on the net's
+ * lowest z. A normal of zero looks up. */
 static void vertices_have_colors(void **state) {
   static const double values[6] = {0, 1, 2, 3, 4, NAN};
   static const lam_vec2 layout[6] = {{5, 7}, {7, 7}, {9, 7}, {5, 8}, {7, 8}, {9, 8}};

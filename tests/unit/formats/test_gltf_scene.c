@@ -1,5 +1,7 @@
 /* What stands in a glTF file of parts, of a net or of prints, number by number: nodes, matrices,
  * vertices, bounds, materials. Expected numbers are those of the hand-made models. */
+#include "core/numbers.h"
+#include "formats/gltf/gltf_scene.h"
 #include "tests/unit/gltf_fixture.h"
 
 extern const lam_format lam_format_gltf;
@@ -101,6 +103,34 @@ static void meshes_have_their_numbers(void **state) {
   assert_string_equal(json_string_value(json_object_get(item(&s, "scenes", 0), "name")), "A Thing");
 }
 
+/* Two triangles that meet at an angle of less than 25 degrees share the vertices between them (four
+ * in all); from there on each has its own. */
+static void gentle_edges_are_shared(void **state) {
+  static const double degrees[2] = {24.9, 25.1};
+  for (int i = 0; i < 2; i++) {
+    double a = degrees[i] * LAM_PI / 180;
+    lam_vec3 x[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -cos(a), -sin(a)}};
+    int two[2][3] = {{0, 1, 2}, {1, 0, 3}};
+    lam_part part = {.name = "A07", .kind = "lamella", .material = &tin, .solid = {4, x, 2, two}};
+    lam_model model = {.name = "thing", .title = "A Thing", .part_count = 1, .parts = &part};
+    scene s = read_scene(*state, &lam_format_gltf, &model, 0);
+    assert_int_equal(
+        number(item(&s, "accessors", attribute(primitive_of(&s, 0), "POSITION")), "count"),
+        i ? 6 : 4);
+  }
+}
+
+/* A vector as floats: the bits of a negative zero would differ from those of zero. */
+static void zeros_are_not_negative(void **state) {
+  (void)state;
+  static const float zeros[3] = {0, 0, 0}, numbers[3] = {-1.5f, 2.25f, -3};
+  float value[3];
+  lam_gltf_vector(value, lam_v3(-0., -0., -0.));
+  assert_memory_equal(value, zeros, sizeof zeros);
+  lam_gltf_vector(value, lam_v3(-1.5, 2.25, -3));
+  assert_memory_equal(value, numbers, sizeof numbers);
+}
+
 /* ---- a net, prints ---- */
 
 static lam_vec3 grid[6] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, -1}};
@@ -174,10 +204,9 @@ static void prints_have_their_picture(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEXT_TEST(parts_are_nodes),
-      TEXT_TEST(meshes_have_their_numbers),
-      TEXT_TEST(a_net_is_lines),
-      TEXT_TEST(prints_have_their_picture),
+      TEXT_TEST(parts_are_nodes),         TEXT_TEST(meshes_have_their_numbers),
+      TEXT_TEST(gentle_edges_are_shared), TEXT_TEST(zeros_are_not_negative),
+      TEXT_TEST(a_net_is_lines),          TEXT_TEST(prints_have_their_picture),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@
 /* ---- writing ---- */
 
 static const double straight[] = {0, 0, 1, 1}, twice[] = {0, 0, 2, 2}, three[] = {0, 0, 0, 1, 1, 1};
-static const lam_vec3 points[6] = {{0, 0, 0},    {0, 1e-3, 0},    {1e-3, 0, 0},
+static const lam_vec3 points[6] = {{0, 0, 0},       {0, 1e-3, 0}, {1e-3, 0, 0},
                                    {1e-3, 1e-3, 0}, {2e-3, 0, 0}, {2e-3, 1e-3, 4e-3}};
 static const double weights[6] = {1, 2, 3, 4, 5, 6};
 
@@ -93,8 +93,10 @@ static void lines_have_their_columns(void **state) {
 /* A tube that closes up in u says so, and its last side is the first; the same in v. */
 static void closed_surfaces_say_so(void **state) {
   static const double ring[] = {0, 0, 1, 2, 2};
-  static const lam_vec3 by_u[6] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 1}},
-                        by_v[6] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {0, 0, 1}};
+  static const lam_vec3 by_u[6] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0},
+                                   {1, 0, 1}, {0, 0, 0}, {0, 0, 1}},
+                        by_v[6] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0},
+                                   {0, 0, 1}, {1, 0, 1}, {0, 0, 1}};
   lam_spline_surface s[2] = {{"u", {1, 1}, {3, 2}, {ring, straight}, by_u, NULL},
                              {"v", {1, 1}, {2, 3}, {straight, ring}, by_v, NULL}};
   static const char *const heads[2] = {"128,2,1,1,1,1,0,1,0,0,", "128,1,2,1,1,0,1,1,0,0,"};
@@ -157,9 +159,9 @@ static void assert_point(lam_vec3 x, double a, double b, double c, const char *w
 
 /* Unit flags: IGES 5.3, 2.2.4.3.14; an inch is 25.4 mm, a mile 1609.344 m. */
 static void unit_flags_are_known(void **state) {
-  static const double sizes[12] = {[1] = .0254, [2] = 1e-3,    [4] = .3048, [5] = 1609.344,
-                                   [6] = 1,     [7] = 1000,    [8] = 2.54e-5, [9] = 1e-6,
-                                   [10] = .01,  [11] = 2.54e-8};
+  static const double sizes[12] = {
+      [1] = .0254, [2] = 1e-3,    [4] = .3048, [5] = 1609.344, [6] = 1,
+      [7] = 1000,  [8] = 2.54e-5, [9] = 1e-6,  [10] = .01,     [11] = 2.54e-8};
   static const entity line = {110, 0, 0, 0, "110,1.,0.,0.,0.,2.,0.;"};
   for (int flag = -1; flag <= 12; flag++) {
     lam_curve_list list;
@@ -184,14 +186,40 @@ static void transformations_are_nested(void **state) {
   assert_int_equal(list.count, 1);
   assert_point(list.items[0].spline.points[0], 10, 0, 5, "origin");
   assert_point(list.items[0].spline.points[1], 8, -3, 6, "point");
-  static const entity loop[2] = {{124, 1, 0, 0, "124,1,0,0,0,0,1,0,0,0,0,1,0;"},
-                                 {110, 1, 0, 0, "110,0,0,0,1,2,3;"}};
-  const char *message = read_curves(*state, file_of(*state, 6, loop, 2), &list);
-  assert_string_equal(message, "entity 124 at D1: it names a transformation that is none");
 }
 
-/* Data of form 1 (pairs at one z), 2 (triples) and 3 (with a vector behind), as polylines 11, 12 and
- * 13; other forms are sections or axes. */
+/* A transformation that points to itself, to no entity, to a line within an entry or to another
+ * type; one whose numbers are missing. */
+static void bad_transformations_are_refused(void **state) {
+  static const struct {
+    entity matrix;
+    int pointer;
+    const char *message;
+  } cases[] = {
+      {{124, 1, 0, 0, "124,1,0,0,0,0,1,0,0,0,0,1,0;"},
+       1,
+       "entity 124 at D1: it names a transformation that is none"},
+      {{124, 0, 0, 0, "124,1,0,0,0,0,1,0,0,0,0,1,0;"},
+       5,
+       "entity 110 at D3: it names a transformation that is none"},
+      {{124, 0, 0, 0, "124,1,0,0,0,0,1,0,0,0,0,1,0;"},
+       2,
+       "entity 110 at D3: it names a transformation that is none"},
+      {{116, 0, 0, 0, "116,1,0,0,0;"},
+       1,
+       "entity 110 at D3: it names a transformation that is none"},
+      {{124, 0, 0, 0, "124,1,0,0,0;"}, 1, "entity 124 at D1: parameters are missing"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const entity e[2] = {cases[i].matrix, {110, cases[i].pointer, 0, 0, "110,0,0,0,1,2,3;"}};
+    lam_curve_list list;
+    const char *message = read_curves(*state, file_of(*state, 6, e, 2), &list);
+    assert_string_equal(message ? message : "it is read", cases[i].message);
+  }
+}
+
+/* Data of form 1 (pairs at one z), 2 (triples) and 3 (with a vector behind), as polylines 11, 12
+ * and 13; other forms are sections or axes. */
 static void polylines_have_three_forms(void **state) {
   static const double knots[5] = {0, 0, 1, 2, 2};
   static const entity e[5] = {{106, 0, 0, 10, "106,1,2,9.,0,0,1,1;"},
@@ -222,7 +250,8 @@ static void arcs_and_weights_are_read(void **state) {
   const lam_spline_curve *half = &list.items[0].spline;
   static const double corners[5][2] = {{3, 2}, {3, 4}, {1, 4}, {-1, 4}, {-1, 2}};
   assert_int_equal(half->count, 5);
-  for (int k = 0; k < 5; k++) assert_point(half->points[k], corners[k][0], corners[k][1], 3, "half");
+  for (int k = 0; k < 5; k++)
+    assert_point(half->points[k], corners[k][0], corners[k][1], 3, "half");
   assert_int_equal(list.items[1].spline.count, 9);
   assert_non_null(list.items[2].spline.weights);
   assert_near(list.items[2].spline.weights[1], 3, 0);
@@ -233,24 +262,63 @@ static void arcs_and_weights_are_read(void **state) {
 /* Curves in the parameters of a surface are none in space: those of 142 (with the constituents of a
  * composite curve, 102), of 141, and those whose use flag is 5. */
 static void plane_curves_are_left_out(void **state) {
-  static const entity e[9] = {{110, 0, 0, 0, "110,0,0,0,1,0,0;"},
-                              {110, 0, 0, 0, "110,0,0,0,2,0,0;"},
-                              {102, 0, 0, 0, "102,2,1,3;"},
-                              {110, 0, 0, 0, "110,0,0,0,4,0,0;"},
-                              {142, 0, 0, 0, "142,1,99,5,7,2;"},
-                              {110, 0, 0, 0, "110,0,0,0,6,0,0;"},
-                              {110, 0, 0, 0, "110,0,0,0,7,0,0;"},
-                              {141, 0, 0, 0, "141,1,2,99,1,11,1,1,13;"},
-                              {110, 0, 500, 0, "110,0,0,0,9,0,0;"}};
+  static const entity e[9] = {
+      {110, 0, 0, 0, "110,0,0,0,1,0,0;"},  {110, 0, 0, 0, "110,0,0,0,2,0,0;"},
+      {102, 0, 0, 0, "102,2,1,3;"},        {110, 0, 0, 0, "110,0,0,0,4,0,0;"},
+      {142, 0, 0, 0, "142,1,99,5,7,2;"},   {110, 0, 0, 0, "110,0,0,0,6,0,0;"},
+      {110, 0, 0, 0, "110,0,0,0,7,0,0;"},  {141, 0, 0, 0, "141,1,2,99,1,11,1,1,13;"},
+      {110, 0, 500, 0, "110,0,0,0,9,0,0;"}};
   lam_curve_list list = curves_of(*state, 6, e, 9);
   assert_int_equal(list.count, 2);
   assert_point(list.items[0].spline.points[1], 4, 0, 0, "the curve in space of 142");
   assert_point(list.items[1].spline.points[1], 6, 0, 0, "the curve in space of 141");
 }
 
+/* Numbers that no spline has: points less one, degrees and flags out of range or not whole, lists
+ * that end early. One message each. */
+static void bad_numbers_are_refused(void **state) {
+#define RANGE "a number of points, degree or flag is out of range"
+  static const struct {
+    const char *parameters, *message;
+  } cases[] = {
+      {"126,0,1,0,0,1,0,0,0,1,1,1,1,0,0,0,1,0,0,0,1;", RANGE},
+      {"126,1.5,1,0,0,1,0,0,0,1,1,1,1,0,0,0,1,0,0,0,1;", "a whole number expected"},
+      {"126,1,0,0,0,1,0,0,0,1,1,1,1,0,0,0,1,0,0,0,1;", RANGE},
+      {"126,1,1001,0,0,1,0,0,0,1,1,1,1,0,0,0,1,0,0,0,1;", RANGE},
+      {"126,1,1,0,0,2,0,0,0,1,1,1,1,0,0,0,1,0,0,0,1;", RANGE},
+      {"126,1,1,0,0,1,-1,0,0,1,1,1,1,0,0,0,1,0,0,0,1;", RANGE},
+      {"126,1,1,0,0,1,0,0,0,1,1,1,1,0,0,0,1,0,0;", "parameters are missing"},
+      {"126,1,1,0,0,1,0,0,0,1,1,1,0,0,0,0,1,0,0,0,1;", "it has a weight that is not positive"},
+      {"128,0,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1;", RANGE},
+      {"128,1,0,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1;", RANGE},
+      {"128,1,1,0,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1;", RANGE},
+      {"128,1,1,1,1001,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1;", RANGE},
+      {"128,1,1,1,1,0,0,1,0,2,0,0,1,1,0,0,1,1,1,1,1,1;", RANGE},
+      {"128,1,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1;", "parameters are missing"},
+      {"128,1,1,1,1,0,0,1,0,0,0,0,1;", "parameters are missing"},
+      {"128,1,1,1,1,,,1,,,0,0,1,1,0,1,0,1,1,1,1,1,,,,2,,,,2,,2,2,,0,1,0,1;",
+       "it has knots that decrease"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int type = atoi(cases[i].parameters);
+    const entity e = {type, 0, 0, 0, cases[i].parameters};
+    const char *text = file_of(*state, 6, &e, 1), *message;
+    lam_spline_list surfaces;
+    lam_curve_list curves;
+    if (type == 126)
+      message = read_curves(*state, text, &curves);
+    else
+      try_read(*state, &lam_format_iges, text, strlen(text), &surfaces, &message);
+    const char *behind = message ? strstr(message, " at D1: ") : NULL;
+    if (!behind || strcmp(behind + 8, cases[i].message) != 0)
+      fail_msg("%s: %s", cases[i].parameters, message ? message : "it is read");
+  }
+}
+
 /* ---- trimmed faces ---- */
 
-#define SQUARE {128, 0, 0, 0, "128,1,1,1,1,,,1,,,0,0,1,1,0,0,1,1,1,1,1,1,,,,2,,,,2,,2,2,,0,1,0,1;"}
+#define SQUARE                                                                                     \
+  { 128, 0, 0, 0, "128,1,1,1,1,,,1,,,0,0,1,1,0,0,1,1,1,1,1,1,,,,2,,,,2,,2,2,,0,1,0,1;" }
 
 /* The note about the surface of these entities. */
 static const char *note_of(lam_arena *arena, const entity *e, int count) {
@@ -272,10 +340,10 @@ static void boundaries_inside_trim(void **state) {
     for (int bounded = 0; bounded < 2; bounded++) {
       const entity e[8] = {
           SQUARE,
-          {110, 0, 0, 0, lam_arena_printf(*state, "110,%g,0,0,%g,2,0;", cases[i].outer,
-                                          cases[i].outer)},
-          {110, 0, 0, 0, lam_arena_printf(*state, "110,%g,2,0,%g,0,0;", cases[i].inner,
-                                          cases[i].inner)},
+          {110, 0, 0, 0,
+           lam_arena_printf(*state, "110,%g,0,0,%g,2,0;", cases[i].outer, cases[i].outer)},
+          {110, 0, 0, 0,
+           lam_arena_printf(*state, "110,%g,2,0,%g,0,0;", cases[i].inner, cases[i].inner)},
           {102, 0, 0, 0, "102,1,5;"},
           {142, 0, 0, 0, "142,1,1,0,3,2;"},
           {142, 0, 0, 0, "142,1,1,0,7,2;"},
@@ -291,10 +359,16 @@ static void boundaries_inside_trim(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEXT_TEST(lines_have_their_columns),   TEXT_TEST(closed_surfaces_say_so),
-      TEXT_TEST(unit_flags_are_known),       TEXT_TEST(transformations_are_nested),
-      TEXT_TEST(polylines_have_three_forms), TEXT_TEST(arcs_and_weights_are_read),
-      TEXT_TEST(plane_curves_are_left_out),  TEXT_TEST(boundaries_inside_trim),
+      TEXT_TEST(lines_have_their_columns),
+      TEXT_TEST(closed_surfaces_say_so),
+      TEXT_TEST(unit_flags_are_known),
+      TEXT_TEST(transformations_are_nested),
+      TEXT_TEST(bad_transformations_are_refused),
+      TEXT_TEST(polylines_have_three_forms),
+      TEXT_TEST(arcs_and_weights_are_read),
+      TEXT_TEST(plane_curves_are_left_out),
+      TEXT_TEST(bad_numbers_are_refused),
+      TEXT_TEST(boundaries_inside_trim),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,16 +1,7 @@
 /* Color maps as drawings, from nets that stand in front of the viewer: what is expected on the page
- * follows by hand. Colors are those of core/ramp.h, computed apart from the formulas of Ottosson's
- * paper and of IEC 61966-2-1. */
-#include "formats/plot/plot.h"
-#include "tests/unit/text_fixture.h"
+ * follows by hand. */
+#include "tests/unit/plot_fixture.h"
 
-/* The sequential scale at its ends, its quarters and its middle, and what is undefined. */
-#define LOW "#321556"
-#define QUARTER "#0b5493"
-#define MIDDLE "#00929b"
-#define THREE "#58cc84"
-#define HIGH "#f5ea5c"
-#define GRAY "#dadada"
 static const lam_color_scale unit_scale = {0, 1, false, false};
 
 /* ---- points in front of the viewer ---- */
@@ -53,21 +44,25 @@ static void nearer_faces_cover_farther_ones(void **state) {
   for (int f = 0; f < 3; f++)
     for (int k = 0; k < 4; k++) {
       static const double x[] = {0, 1, 1, 0}, y[] = {1, 1, 0, 0};
-      vertices[4 * f + k] = seen(left[f] + x[k], y[k], depth[f]);
+      vertices[4 * f + k] = seen(5 + left[f] + x[k], 3 + y[k], depth[f]);
       faces[f][k] = 4 * f + k;
     }
   const lam_mesh net = {12, vertices, 3, faces};
   const double values[] = {0, .5, 1};
   const lam_map map = {.on = LAM_MAP_FACES, .count = 3, .values = values};
-  const char *expected = GROUP("view", "0.12", "0.48") /* */
-      FACE("M85,72.5 L110,72.5 110,47.5 85,47.5", HIGH)
-          FACE("M10,72.5 L35,72.5 35,47.5 10,47.5", LOW)
-              FACE("M35,72.5 L60,72.5 60,47.5 35,47.5", MIDDLE) "</g>\n";
-  assert_lines("view", view_of(*state, &net, &map, (lam_box){10, 20, 100, 80}), expected);
+  const char *const expected[] = {
+      GROUP("view", "0.12", "0.48"),
+      FACE("M85,72.5 L110,72.5 110,47.5 85,47.5", HIGH),
+      FACE("M10,72.5 L35,72.5 35,47.5 10,47.5", LOW),
+      FACE("M35,72.5 L60,72.5 60,47.5 35,47.5", MIDDLE),
+      "</g>\n",
+      NULL,
+  };
+  assert_pieces(*state, "view", view_of(*state, &net, &map, (lam_box){10, 20, 100, 80}), expected);
 }
 
-/* Faces at one distance, here four times the same, are drawn in their order. The height fits: 2 m in
- * 4 mm. Thin lines are .03 of the root of the area per face, 16 mm2 / 4: .06 mm. */
+/* Faces at one distance, here four times the same, are drawn in their order. The height fits: 2 m
+ * in 4 mm. Thin lines are .03 of the root of the area per face, 16 mm2 / 4: .06 mm. */
 static void equal_faces_keep_their_order(void **state) {
   lam_vec3 vertices[] = {seen(0, 2, 0), seen(1, 2, 0), seen(1, 0, 0), seen(0, 0, 0)};
   int faces[][4] = {{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}};
@@ -75,9 +70,16 @@ static void equal_faces_keep_their_order(void **state) {
   const double values[] = {.25, 0, NAN, .75};
   const lam_map map = {.on = LAM_MAP_FACES, .count = 4, .values = values};
 #define SQUARE "M1,4 L3,4 3,0 1,0"
-  const char *expected = GROUP("view", "0.06", "0.24") FACE(SQUARE, QUARTER) FACE(SQUARE, LOW)
-      FACE(SQUARE, GRAY) FACE(SQUARE, THREE) "</g>\n";
-  assert_lines("view", view_of(*state, &net, &map, (lam_box){0, 0, 4, 4}), expected);
+  const char *const expected[] = {
+      GROUP("view", "0.06", "0.24"),
+      FACE(SQUARE, QUARTER),
+      FACE(SQUARE, LOW),
+      FACE(SQUARE, GRAY),
+      FACE(SQUARE, THREE),
+      "</g>\n",
+      NULL,
+  };
+  assert_pieces(*state, "view", view_of(*state, &net, &map, (lam_box){0, 0, 4, 4}), expected);
 }
 
 /* A face of four unlike sides, 10 mm a meter: each vertex colors the quarter between the middles of
@@ -88,11 +90,17 @@ static void a_vertex_colors_its_quarter(void **state) {
   const lam_mesh net = {4, vertices, 1, faces};
   const double values[] = {0, .25, .5, 1};
   const lam_map map = {.on = LAM_MAP_VERTICES, .count = 4, .values = values};
-  const char *expected = GROUP("view", "0.12", "0.48") /* */
-      FILL("M0,30 L20,25 20,15 5,20", LOW) FILL("M40,20 L35,10 20,15 20,25", QUARTER)
-          FILL("M30,0 L20,5 20,15 35,10", MIDDLE) FILL("M10,10 L5,20 20,15 20,5", HIGH)
-              OUTLINE("M0,30 L40,20 30,0 10,10") "</g>\n";
-  assert_lines("view", view_of(*state, &net, &map, (lam_box){0, 0, 40, 30}), expected);
+  const char *const expected[] = {
+      GROUP("view", "0.12", "0.48"),
+      FILL("M0,30 L20,25 20,15 5,20", LOW),
+      FILL("M40,20 L35,10 20,15 20,25", QUARTER),
+      FILL("M30,0 L20,5 20,15 35,10", MIDDLE),
+      FILL("M10,10 L5,20 20,15 20,5", HIGH),
+      OUTLINE("M0,30 L40,20 30,0 10,10"),
+      "</g>\n",
+      NULL,
+  };
+  assert_pieces(*state, "view", view_of(*state, &net, &map, (lam_box){0, 0, 40, 30}), expected);
 }
 
 /* Edges in any direction and order; edges 0 and 3 begin at one vertex. Edge 2-3 is not in the map:
@@ -104,15 +112,22 @@ static void an_edge_has_its_own_line(void **state) {
   const double values[] = {1, 0, .5};
   const int edges[][2] = {{1, 0}, {2, 1}, {0, 3}};
   const lam_map map = {.on = LAM_MAP_EDGES, .count = 3, .values = values, .edges = edges};
-  const char *expected = GROUP("view", "0.12", "0.48") /* */
-      WHITE("M10,30 L30,30 30,10 10,10") EDGE("M10,30 L30,30", HIGH) EDGE("M30,30 L30,10", LOW)
-          EDGE("M30,10 L10,10", GRAY) EDGE("M10,10 L10,30", MIDDLE) "</g>\n";
-  assert_lines("view", view_of(*state, &net, &map, (lam_box){10, 10, 20, 20}), expected);
+  const char *const expected[] = {
+      GROUP("view", "0.12", "0.48"),
+      WHITE("M10,30 L30,30 30,10 10,10"),
+      EDGE("M10,30 L30,30", HIGH),
+      EDGE("M30,30 L30,10", LOW),
+      EDGE("M30,10 L10,10", GRAY),
+      EDGE("M10,10 L10,30", MIDDLE),
+      "</g>\n",
+      NULL,
+  };
+  assert_pieces(*state, "view", view_of(*state, &net, &map, (lam_box){10, 10, 20, 20}), expected);
 }
 
-/* Net and layout have half of the width each, 6 mm between them, here 47 mm: 10 to 57 and 63 to 110.
- * The layout, 4.7 m wide, fits at 10 mm a meter, the net of 1 m would at 47: both are drawn at 10, in
- * the middle of their halves. Seen from above, y is up. */
+/* Net and layout have half of the width each, 6 mm between them, here 47 mm: 10 to 57 and 63 to
+ * 110. The layout, 4.7 m wide, fits at 10 mm a meter, the net of 1 m would at 47: both are drawn at
+ * 10, in the middle of their halves. Seen from above, y is up. */
 static void a_layout_stands_beside_the_net(void **state) {
   lam_vec3 vertices[] = {seen(0, 1, 0), seen(1, 1, 0), seen(1, 0, 0), seen(0, 0, 0)};
   int faces[][4] = {{0, 1, 2, 3}};
@@ -120,10 +135,16 @@ static void a_layout_stands_beside_the_net(void **state) {
   const double values[] = {.5};
   const lam_vec2 layout[] = {{0, 0}, {4.7, 0}, {4.7, 1}, {0, 2}};
   const lam_map map = {.on = LAM_MAP_FACES, .count = 1, .values = values, .layout = layout};
-  const char *expected = GROUP("layout", "0.12", "0.48") /* */
-      FACE("M63,70 L110,70 110,60 63,50", MIDDLE) "</g>\n" GROUP("view", "0.12", "0.48")
-          FACE("M28.5,65 L38.5,65 38.5,55 28.5,55", MIDDLE) "</g>\n";
-  assert_lines("view", view_of(*state, &net, &map, (lam_box){10, 20, 100, 80}), expected);
+  const char *const expected[] = {
+      GROUP("layout", "0.12", "0.48"),
+      FACE("M63,70 L110,70 110,60 63,50", MIDDLE),
+      "</g>\n",
+      GROUP("view", "0.12", "0.48"),
+      FACE("M28.5,65 L38.5,65 38.5,55 28.5,55", MIDDLE),
+      "</g>\n",
+      NULL,
+  };
+  assert_pieces(*state, "view", view_of(*state, &net, &map, (lam_box){10, 20, 100, 80}), expected);
 }
 
 /* The net is the larger one: 4.7 m wide at 10 mm a meter, the layout of 1 m as well. */

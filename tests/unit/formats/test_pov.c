@@ -1,5 +1,6 @@
-/* The scenes of POV-Ray, line by line: parts with instances, a net, prints. All numbers are those of
- * the hand-made models below; what is computed of them is said beside them. */
+/* The scenes of POV-Ray, line by line: parts with instances, a net, prints. All numbers are those
+ * of the hand-made models below; what is computed of them is said beside them. */
+#include "core/numbers.h"
 #include "formats/print.h"
 #include "tests/unit/text_fixture.h"
 
@@ -114,6 +115,22 @@ static void parts_stand_where_they_are(void **state) {
   assert_int_equal(lam_format_pov.count(&model), 1);
   assert_string_equal(text_path(*state, &lam_format_pov, &model, 0), "thing.pov");
   assert_lines("parts", text_of(*state, &lam_format_pov, &model, 0), parts_scene);
+}
+
+/* Two triangles that meet at an angle of less than 30 degrees share the vertices between them (four
+ * in all); from there on each has its own. */
+static void gentle_edges_are_shared(void **state) {
+  static const double degrees[2] = {29.9, 30.1};
+  for (int i = 0; i < 2; i++) {
+    double a = degrees[i] * LAM_PI / 180;
+    lam_vec3 x[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -cos(a), -sin(a)}};
+    int two[2][3] = {{0, 1, 2}, {1, 0, 3}};
+    lam_part part = {.name = "roof", .kind = "panel", .material = &oak, .solid = {4, x, 2, two}};
+    lam_model model = {
+        .name = "p", .title = "p", .part_count = 1, .parts = &part, .picture = picture};
+    assert_holds(text_of(*state, &lam_format_pov, &model, 0),
+                 i ? "vertex_vectors { 6," : "vertex_vectors { 4,");
+  }
 }
 
 /* ---- a net ---- */
@@ -289,6 +306,7 @@ static void files_beside_the_scene_are_named(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       TEXT_TEST(parts_stand_where_they_are),
+      TEXT_TEST(gentle_edges_are_shared),
       TEXT_TEST(a_net_has_faces_and_lines),
       TEXT_TEST(a_side_of_no_length_has_no_line),
       TEXT_TEST(prints_are_meshes_with_a_picture),

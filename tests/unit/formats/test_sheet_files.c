@@ -12,7 +12,9 @@ extern const lam_format lam_format_dxf, lam_format_svg;
 static lam_vec2 triangle[] = {{.1, .05},       {.2, .05}, {.200000004, .049999996},
                               {.2, .15000006}, {.2, .15}, {.100000004, .05},
                               {.1, .05}};
-/* An open mark that comes back to where it began; a stroke of a letter; what is no line. */
+
+/* An open mark that comes back to where it began; a stroke of a letter; what is no line. The last
+ * path and the last piece are beyond their counts: they must not show. */
 static lam_vec2 mark[] = {{.12345678, .1}, {.13, .11}, {.12345678, .1}};
 static lam_vec2 stroke[] = {{.11, .06}, {.115, .07}};
 static lam_vec2 dot[] = {{.3, .1}, {.3, .1}};
@@ -22,6 +24,7 @@ static lam_path first_paths[] = {
     {.layer = LAM_LAYER_LABEL, .count = 2, .points = stroke},
     {.layer = LAM_LAYER_CUT, .closed = true, .count = 2, .points = dot},
     {.layer = LAM_LAYER_LABEL, .count = 1, .points = dot},
+    {.layer = LAM_LAYER_LABEL, .count = 2, .points = stroke},
 };
 static lam_vec2 square[] = {{.01, .02}, {.03, .02}, {.03, .04}, {.01, .04}};
 static lam_path second_paths[] = {
@@ -29,7 +32,8 @@ static lam_path second_paths[] = {
 
 static const lam_material steel = {.name = "steel"};
 static lam_sheet_piece pieces[] = {{.label = "A&1", .path_count = 5, .paths = first_paths},
-                                   {.label = "P1", .path_count = 1, .paths = second_paths}};
+                                   {.label = "P1", .path_count = 1, .paths = second_paths},
+                                   {.label = "X", .path_count = 1, .paths = second_paths}};
 static lam_sheet_piece copies[] = {{.label = "A1"}, {.label = "P1"}, {.label = "A1"},
                                    {.label = "P2"}, {.label = "A1"}, {.label = "P1"}};
 static const lam_sheet sheets[] = {{.name = "steel-1",
@@ -68,55 +72,89 @@ static const char *in_pairs(lam_arena *arena, const char *text) {
   "  9 $INSBASE\n 10 0\n 20 0\n 30 0\n  9 $EXTMIN\n 10 0\n 20 0\n 30 0\n"                          \
   "  9 $EXTMAX\n 10 " width "\n 20 " height "\n 30 0\n"                                            \
   "  9 $LIMMIN\n 10 0\n 20 0\n  9 $LIMMAX\n 10 " width "\n 20 " height "\n  0 ENDSEC\n"
-#define LAYER(name, color) "  0 LAYER\n  2 " name "\n 70 0\n 62 " color "\n  6 CONTINUOUS\n"
 #define TABLES                                                                                     \
   "  0 SECTION\n  2 TABLES\n  0 TABLE\n  2 LTYPE\n 70 1\n  0 LTYPE\n  2 CONTINUOUS\n 70 0\n"       \
-  "  3 Solid line\n 72 65\n 73 0\n 40 0\n  0 ENDTAB\n  0 TABLE\n  2 LAYER\n 70 5\n" LAYER(         \
-      "0", "7") LAYER("CUT", "1") LAYER("ENGRAVE", "5") LAYER("LABEL", "3")                        \
-      LAYER("SHEET", "8") "  0 ENDTAB\n  0 ENDSEC\n"
+  "  3 Solid line\n 72 65\n 73 0\n 40 0\n  0 ENDTAB\n  0 TABLE\n  2 LAYER\n 70 5\n"                \
+  "  0 LAYER\n  2 0\n 70 0\n 62 7\n  6 CONTINUOUS\n"                                               \
+  "  0 LAYER\n  2 CUT\n 70 0\n 62 1\n  6 CONTINUOUS\n"                                             \
+  "  0 LAYER\n  2 ENGRAVE\n 70 0\n 62 5\n  6 CONTINUOUS\n"                                         \
+  "  0 LAYER\n  2 LABEL\n 70 0\n 62 3\n  6 CONTINUOUS\n"                                           \
+  "  0 LAYER\n  2 SHEET\n 70 0\n 62 8\n  6 CONTINUOUS\n  0 ENDTAB\n  0 ENDSEC\n"                   \
+  "  0 SECTION\n  2 ENTITIES\n"
 #define POLYLINE(layer, closed)                                                                    \
   "  0 POLYLINE\n  8 " layer "\n 66 1\n 10 0\n 20 0\n 30 0\n 70 " closed "\n"
 #define VERTEX(layer, x, y) "  0 VERTEX\n  8 " layer "\n 10 " x "\n 20 " y "\n 30 0\n"
 #define SEQEND(layer) "  0 SEQEND\n  8 " layer "\n"
-#define BORDER(width, height)                                                                      \
-  POLYLINE("SHEET", "1")                                                                           \
-  VERTEX("SHEET", "0", "0")                                                                        \
-  VERTEX("SHEET", width, "0")                                                                      \
-  VERTEX("SHEET", width, height) VERTEX("SHEET", "0", height) SEQEND("SHEET")
+#define CORNER(x, y) VERTEX("SHEET", x, y)
+#define END "  0 ENDSEC\n  0 EOF\n"
 
 /* Millimeters with 4 decimals; points that fall together are written once, a closed line does not
  * repeat its first one, and what has fewer than two is left out. Edges are true without a kerf. */
 static void dxf_of_a_sheet(void **state) {
-  const char *expected =
-      "999 hut, steel-1: steel, 1.5 mm thick; millimeters\n"
-      "999 kerf is not compensated: lines are the true edges of the parts\n" HEADER("500", "250")
-          TABLES "  0 SECTION\n  2 ENTITIES\n" BORDER("500", "250")
-      /* the triangle */
-      POLYLINE("CUT", "1") VERTEX("CUT", "100", "50") VERTEX("CUT", "200", "50")
-          VERTEX("CUT", "200", "150.0001") VERTEX("CUT", "200", "150") SEQEND("CUT")
-      /* the mark and the stroke, open */
-      POLYLINE("ENGRAVE", "0") VERTEX("ENGRAVE", "123.4568", "100") VERTEX("ENGRAVE", "130", "110")
-          VERTEX("ENGRAVE", "123.4568", "100") SEQEND("ENGRAVE") POLYLINE("LABEL", "0")
-              VERTEX("LABEL", "110", "60") VERTEX("LABEL", "115", "70") SEQEND("LABEL")
-      /* the second piece */
-      POLYLINE("CUT", "1") VERTEX("CUT", "10", "20") VERTEX("CUT", "30", "20")
-          VERTEX("CUT", "30", "40") VERTEX("CUT", "10", "40") SEQEND("CUT") "  0 ENDSEC\n  0 EOF\n";
-  assert_lines("steel-1.dxf", in_pairs(*state, text_of(*state, &lam_format_dxf, &workshop, 0)),
-               expected);
+  const char *const expected[] = {
+      "999 hut, steel-1: steel, 1.5 mm thick; millimeters\n",
+      "999 kerf is not compensated: lines are the true edges of the parts\n",
+      HEADER("500", "250"),
+      TABLES,
+      POLYLINE("SHEET", "1"),
+      CORNER("0", "0"),
+      CORNER("500", "0"),
+      CORNER("500", "250"),
+      CORNER("0", "250"),
+      SEQEND("SHEET"),
+      POLYLINE("CUT", "1"),
+      VERTEX("CUT", "100", "50"),
+      VERTEX("CUT", "200", "50"),
+      VERTEX("CUT", "200", "150.0001"),
+      VERTEX("CUT", "200", "150"),
+      SEQEND("CUT"),
+      POLYLINE("ENGRAVE", "0"),
+      VERTEX("ENGRAVE", "123.4568", "100"),
+      VERTEX("ENGRAVE", "130", "110"),
+      VERTEX("ENGRAVE", "123.4568", "100"),
+      SEQEND("ENGRAVE"),
+      POLYLINE("LABEL", "0"),
+      VERTEX("LABEL", "110", "60"),
+      VERTEX("LABEL", "115", "70"),
+      SEQEND("LABEL"),
+      POLYLINE("CUT", "1"),
+      VERTEX("CUT", "10", "20"),
+      VERTEX("CUT", "30", "20"),
+      VERTEX("CUT", "30", "40"),
+      VERTEX("CUT", "10", "40"),
+      SEQEND("CUT"),
+      END,
+      NULL,
+  };
+  assert_pieces(*state, "steel-1.dxf",
+                in_pairs(*state, text_of(*state, &lam_format_dxf, &workshop, 0)), expected);
 }
 
 /* Thickness and kerf with 3 decimals, the size of the sheet with 4. */
 static void dxf_tells_the_kerf(void **state) {
-  const char *expected =
-      "999 hut, any-2: any material, 12.001 mm thick; millimeters\n"
-      "999 kerf of 0.2 mm is compensated: cut along the lines\n" HEADER("1234.5679", "1000") TABLES
-      "  0 SECTION\n  2 ENTITIES\n" BORDER("1234.5679", "1000") "  0 ENDSEC\n  0 EOF\n";
-  assert_lines("any-2.dxf", in_pairs(*state, text_of(*state, &lam_format_dxf, &workshop, 1)),
-               expected);
+  const char *const expected[] = {
+      "999 hut, any-2: any material, 12.001 mm thick; millimeters\n",
+      "999 kerf of 0.2 mm is compensated: cut along the lines\n",
+      HEADER("1234.5679", "1000"),
+      TABLES,
+      POLYLINE("SHEET", "1"),
+      CORNER("0", "0"),
+      CORNER("1234.5679", "0"),
+      CORNER("1234.5679", "1000"),
+      CORNER("0", "1000"),
+      SEQEND("SHEET"),
+      END,
+      NULL,
+  };
+  assert_pieces(*state, "any-2.dxf",
+                in_pairs(*state, text_of(*state, &lam_format_dxf, &workshop, 1)), expected);
 }
 
 /* ---- SVG ---- */
 
+#define SVG(width, height)                                                                         \
+  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "         \
+  "width=\"" width "mm\" height=\"" height "mm\" viewBox=\"0 0 " width " " height "\">\n"
 #define STYLE                                                                                      \
   "<style>\npath { fill: none; stroke-width: 0.1; stroke-linejoin: round; stroke-linecap: round "  \
   "}\n.CUT { stroke: #ff0000 }\n.ENGRAVE { stroke: #0000ff }\n.LABEL { stroke: #00a000 }\n"        \
@@ -127,48 +165,44 @@ static void dxf_tells_the_kerf(void **state) {
 
 /* The sheet is 250 mm high: y = 50 stands at 200. Points are written as they are; Z closes. */
 static void svg_of_a_sheet(void **state) {
-  const char *expected =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"500mm\" height=\"250mm\" "
-      "viewBox=\"0 0 500 250\">\n"
-      "<title>A &quot;hut&quot; &amp; &lt;shed>: steel-1</title>\n"
-      "<desc>steel, 1.5004 mm thick; kerf is not compensated</desc>\n" STYLE LINE(
-          "SHEET", "#808080",
-          "M0,250 L500,250 500,0 0,0 Z") "<g class=\"part\" id=\"A&amp;1\">\n" LINE("CUT",
-                                                                                    "#ff0000",
-                                                                                    "M100,200 "
-                                                                                    "L200,200 "
-                                                                                    "200,200 "
-                                                                                    "200,99.9999 "
-                                                                                    "200,100 "
-                                                                                    "100,200 "
-                                                                                    "100,200 Z")
-          LINE("ENGRAVE", "#0000ff", "M123.4568,150 L130,140 123.4568,150") LINE(
-              "LABEL", "#00a000", "M110,190 L115,180") LINE("CUT", "#ff0000", "M300,150 L300,150 Z")
-              LINE("LABEL", "#00a000", "M300,150") "</g>\n<g class=\"part\" id=\"P1\">\n" LINE(
-                  "CUT", "#ff0000", "M10,230 L30,230 30,210 10,210 Z") "</g>\n</svg>\n";
-  assert_lines("steel-1.svg", text_of(*state, &lam_format_svg, &workshop, 0), expected);
+  const char *const expected[] = {
+      SVG("500", "250"),
+      "<title>A &quot;hut&quot; &amp; &lt;shed>: steel-1</title>\n",
+      "<desc>steel, 1.5004 mm thick; kerf is not compensated</desc>\n",
+      STYLE,
+      LINE("SHEET", "#808080", "M0,250 L500,250 500,0 0,0 Z"),
+      "<g class=\"part\" id=\"A&amp;1\">\n",
+      LINE("CUT", "#ff0000", "M100,200 L200,200 200,200 200,99.9999 200,100 100,200 100,200 Z"),
+      LINE("ENGRAVE", "#0000ff", "M123.4568,150 L130,140 123.4568,150"),
+      LINE("LABEL", "#00a000", "M110,190 L115,180"),
+      LINE("CUT", "#ff0000", "M300,150 L300,150 Z"),
+      LINE("LABEL", "#00a000", "M300,150"),
+      "</g>\n<g class=\"part\" id=\"P1\">\n",
+      LINE("CUT", "#ff0000", "M10,230 L30,230 30,210 10,210 Z"),
+      "</g>\n</svg>\n",
+      NULL,
+  };
+  assert_pieces(*state, "steel-1.svg", text_of(*state, &lam_format_svg, &workshop, 0), expected);
 }
 
 /* The second and third piece of a label are copies 2 and 3: ids are unique. */
 static void svg_tells_copies_apart(void **state) {
-  const char *expected =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1234.5679mm\" height=\"1000mm\" "
-      "viewBox=\"0 0 1234.5679 1000\">\n"
-      "<title>A &quot;hut&quot; &amp; &lt;shed>: any-2</title>\n"
-      "<desc>any material, 12.0006 mm thick; kerf of 0.2 mm is compensated</desc>\n" STYLE LINE(
-          "SHEET", "#808080",
-          "M0,1000 L1234.5679,1000 1234.5679,0 0,0 Z") "<g class=\"part\" id=\"A1\">\n</g>\n<g "
-                                                       "class=\"part\" id=\"P1\">\n</g>\n"
-                                                       "<g class=\"part\" "
-                                                       "id=\"A1-copy-2\">\n</g>\n<g class=\"part\" "
-                                                       "id=\"P2\">\n</g>\n"
-                                                       "<g class=\"part\" "
-                                                       "id=\"A1-copy-3\">\n</g>\n<g class=\"part\" "
-                                                       "id=\"P1-copy-2\">\n</g>\n"
-                                                       "</svg>\n";
-  assert_lines("any-2.svg", text_of(*state, &lam_format_svg, &workshop, 1), expected);
+  const char *const expected[] = {
+      SVG("1234.5679", "1000"),
+      "<title>A &quot;hut&quot; &amp; &lt;shed>: any-2</title>\n",
+      "<desc>any material, 12.0006 mm thick; kerf of 0.2 mm is compensated</desc>\n",
+      STYLE,
+      LINE("SHEET", "#808080", "M0,1000 L1234.5679,1000 1234.5679,0 0,0 Z"),
+      "<g class=\"part\" id=\"A1\">\n</g>\n",
+      "<g class=\"part\" id=\"P1\">\n</g>\n",
+      "<g class=\"part\" id=\"A1-copy-2\">\n</g>\n",
+      "<g class=\"part\" id=\"P2\">\n</g>\n",
+      "<g class=\"part\" id=\"A1-copy-3\">\n</g>\n",
+      "<g class=\"part\" id=\"P1-copy-2\">\n</g>\n",
+      "</svg>\n",
+      NULL,
+  };
+  assert_pieces(*state, "any-2.svg", text_of(*state, &lam_format_svg, &workshop, 1), expected);
 }
 
 /* ---- both ---- */

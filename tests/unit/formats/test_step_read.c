@@ -95,7 +95,8 @@ static void units_of_length_are_known(void **state) {
 
 static void unknown_units_are_refused(void **state) {
   static const char *const cases[][2] = {
-      {"(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MEGA.,.METRE.))", "unit #90 is no known unit of length"},
+      {"(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MEGA.,.METRE.))",
+       "unit #90 is no known unit of length"},
       {"(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.RADIAN.))", "unit #90 is no known unit of length"},
       {"(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.METRE.))", "unit #90 is no known unit of length"},
       {"(CONVERSION_BASED_UNIT('SELF',#91)LENGTH_UNIT())", "unit #90 is no known unit of length"},
@@ -117,8 +118,8 @@ static void unknown_units_are_refused(void **state) {
 
 /* A second context may repeat the unit, and may not bring another one. */
 static void there_is_one_unit_of_length(void **state) {
-  static const char same[] = "#81=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#91)));\n#91=" METRE
-                             ";\n#10=POLYLINE('',(#1,#2));",
+  static const char same[] =
+      "#81=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#91)));\n#91=" METRE ";\n#10=POLYLINE('',(#1,#2));",
                     other[] = "#81=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#91)));\n"
                               "#91=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
                               "#10=POLYLINE('',(#1,#2));";
@@ -138,25 +139,21 @@ static void positions_have_axes(void **state) {
     const char *axes;
     lam_vec3 x, y;
   } cases[] = {
-      {"$,$", {1, 0, 0}, {0, 1, 0}},
-      {"#20,$", {0, 1, 0}, {0, 0, 1}},
-      {"#21,#22", {1, 0, 0}, {0, 1, 0}},
-      {"#23,$", {.6, 0, -.8}, {0, 1, 0}},
-      {"#24,$", {0, 1, 0}, {-.28, 0, -.96}},
-      {"$,#25", {0, 1, 0}, {-1, 0, 0}},
+      {"$,$", {1, 0, 0}, {0, 1, 0}},         {"#20,$", {0, 1, 0}, {0, 0, 1}},
+      {"#21,#22", {1, 0, 0}, {0, 1, 0}},     {"#23,$", {.6, 0, -.8}, {0, 1, 0}},
+      {"#24,$", {0, 1, 0}, {-.28, 0, -.96}}, {"$,#25", {0, 1, 0}, {-1, 0, 0}},
   };
   static const double weights[3] = {1, .70710678118654752, 1}, knots[6] = {0, 0, 0, 1, 1, 1};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     lam_spline_curve c = curve_of(
-        *state, lam_arena_printf(
-                    *state,
-                    "#20=DIRECTION('',(1.,0.,0.));\n#21=DIRECTION('',(0.,0.,2.));\n"
-                    "#22=DIRECTION('',(1.,0.,1.));\n#23=DIRECTION('',(.8,0.,.6));\n"
-                    "#24=DIRECTION('',(-.96,0.,.28));\n#25=DIRECTION('',(0.,3.,0.));\n"
-                    "#30=AXIS2_PLACEMENT_3D('',#1,%s);\n#31=CIRCLE('',#30,2.);\n"
-                    "#32=TRIMMED_CURVE('',#31,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE("
-                    "1.5707963267948966)),.T.,.PARAMETER.);",
-                    cases[i].axes));
+        *state, lam_arena_printf(*state,
+                                 "#20=DIRECTION('',(1.,0.,0.));\n#21=DIRECTION('',(0.,0.,2.));\n"
+                                 "#22=DIRECTION('',(1.,0.,1.));\n#23=DIRECTION('',(.8,0.,.6));\n"
+                                 "#24=DIRECTION('',(-.96,0.,.28));\n#25=DIRECTION('',(0.,3.,0.));\n"
+                                 "#30=AXIS2_PLACEMENT_3D('',#1,%s);\n#31=CIRCLE('',#30,2.);\n"
+                                 "#32=TRIMMED_CURVE('',#31,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE("
+                                 "1.5707963267948966)),.T.,.PARAMETER.);",
+                                 cases[i].axes));
     lam_vec3 x = lam_scale(cases[i].x, 2), y = lam_scale(cases[i].y, 2);
     assert_points(&c, 3, (lam_vec3[3]){x, lam_add(x, y), y}, cases[i].axes);
     assert_knots(c.knots, 6, knots, "knots");
@@ -164,7 +161,8 @@ static void positions_have_axes(void **state) {
   }
 }
 
-/* Around (4, 0, 0), in the plane of x and y; c = cos 45, the middle of a quarter stands 1 / c out. */
+/* Around (4, 0, 0), in the plane of x and y; c = cos 45: the middle of a quarter stands 1 / c
+ * out. */
 static void arcs_run_between_their_ends(void **state) {
   const double c = sqrt(.5);
   const struct {
@@ -172,18 +170,35 @@ static void arcs_run_between_their_ends(void **state) {
     int count;
     lam_vec3 points[9];
   } cases[] = {
-      {"CIRCLE('',#30,2.)", "(PARAMETER_VALUE(1.5707963267948966)),(PARAMETER_VALUE(0.)),.F.", 3,
+      {"CIRCLE('',#30,2.)",
+       "(PARAMETER_VALUE(1.5707963267948966)),(PARAMETER_VALUE(0.)),.F.",
+       3,
        {{6, 0, 0}, {6, 2, 0}, {4, 2, 0}}},
-      {"ELLIPSE('',#30,2.,1.)", "(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(1.5707963267948966)),.T.", 3,
+      {"ELLIPSE('',#30,2.,1.)",
+       "(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(1.5707963267948966)),.T.",
+       3,
        {{6, 0, 0}, {6, 1, 0}, {4, 1, 0}}},
-      {"ELLIPSE('',#30,2.,1.)", "(#40),(#41),.T.", 3,
+      {"ELLIPSE('',#30,2.,1.)",
+       "(#40),(#41),.T.",
+       3,
        {{4 + 2 * c, c, 0}, {4, 1 / c, 0}, {4 - 2 * c, c, 0}}},
       {"CIRCLE('',#30,1.)", "(#42),(#43),.T.", 3, {{5, 0, 0}, {5, 1, 0}, {4, 1, 0}}},
       {"CIRCLE('',#30,1.)", "(#43),(#42),.F.", 3, {{5, 0, 0}, {5, 1, 0}, {4, 1, 0}}},
-      {"CIRCLE('',#30,1.)", "(#42),(#42),.T.", 9,
-       {{5, 0, 0}, {5, 1, 0}, {4, 1, 0}, {3, 1, 0}, {3, 0, 0}, {3, -1, 0}, {4, -1, 0}, {5, -1, 0},
+      {"CIRCLE('',#30,1.)",
+       "(#42),(#42),.T.",
+       9,
+       {{5, 0, 0},
+        {5, 1, 0},
+        {4, 1, 0},
+        {3, 1, 0},
+        {3, 0, 0},
+        {3, -1, 0},
+        {4, -1, 0},
+        {5, -1, 0},
         {5, 0, 0}}},
-      {"CIRCLE('',#30,1.)", "(PARAMETER_VALUE(0.),#42),(PARAMETER_VALUE(3.),#43),.T.", 3,
+      {"CIRCLE('',#30,1.)",
+       "(PARAMETER_VALUE(0.),#42),(PARAMETER_VALUE(3.),#43),.T.",
+       3,
        {{5, 0, 0}, {5, 1, 0}, {4, 1, 0}}},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -268,8 +283,7 @@ static void splines_are_cut(void **state) {
                                  "(2,2),(0.,4.),.UNSPECIFIED.);\n"
                                  "#32=TRIMMED_CURVE('',#10,%s,.PARAMETER.);",
                                  cases[i].trims));
-    assert_points(&c, 2, (lam_vec3[2]){{cases[i].from, 0, 0}, {cases[i].to, 0, 0}},
-                  cases[i].trims);
+    assert_points(&c, 2, (lam_vec3[2]){{cases[i].from, 0, 0}, {cases[i].to, 0, 0}}, cases[i].trims);
   }
 }
 
@@ -303,6 +317,56 @@ static void curves_that_serve_others_are_left_out(void **state) {
   assert_int_equal(list.items[0].family, -1);
 }
 
+/* Keywords in lower case, with digits and marks; comments and lines anywhere; a string that looks
+ * like an entity; $ and * for what is left out; numbers with signs and without a leading digit.
+ * Text of ISO 10303-21, 5 and 6. */
+static void text_may_be_free(void **state) {
+  static const char *const cases[] = {
+      "#10=bezier_curve('',1,(#1,#5),.unspecified.,.f.,.f.);#5=cartesian_point('',(+1.,-.5,2.E+0))"
+      ";",
+      "/* #10=X( */#10 =\n POLYLINE ( $ , ( #1 /* ; */ , #5 ) ) ;\n"
+      "#5=CARTESIAN_POINT(*,(1,-5e-1,\n2.));",
+      "#10=POLYLINE('#11=POLYLINE('''',(#1));',(#1,#5));#5=CARTESIAN_POINT((1.,-0.5,2.));",
+      "#10=POLYLINE('',(#1,#5));#5=CARTESIAN_POINT(\"0F\",(1.,-0.5,2.));"
+      "#6=!OWN_9z(.Z_9.,TYPED(1.),((),(*)));",
+      "#123456789012345=CARTESIAN_POINT('',(1.,-0.5,2.));#10=POLYLINE('',(#1,#123456789012345));"};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    lam_spline_curve c = curve_of(*state, cases[i]);
+    assert_points(&c, 2, (lam_vec3[2]){{0, 0, 0}, {1, -.5, 2}}, cases[i]);
+  }
+}
+
+/* Up to 64 brackets within brackets; numbers of entities of up to 15 digits; one message each. */
+static void bad_text_is_refused(void **state) {
+#define OPEN8 "(((((((("
+#define CLOSE8 "))))))))"
+#define OPEN63 OPEN8 OPEN8 OPEN8 OPEN8 OPEN8 OPEN8 OPEN8 "((((((("
+#define CLOSE63 CLOSE8 CLOSE8 CLOSE8 CLOSE8 CLOSE8 CLOSE8 CLOSE8 ")))))))"
+  static const char *const cases[][2] = {
+      {"#6=X(" OPEN63 CLOSE63 ");#10=POLYLINE('',(#1,#2));", NULL},
+      {"#6=X((" OPEN63 CLOSE63 "));", "\")\" given, fewer brackets within brackets expected"},
+      {"#1234567890123456=X();", "\"=\" given, the number of an entity expected"},
+      {"#=X();", "\"=\" given, the number of an entity expected"},
+      {"#6=X(1 2);", "\"2\" given, , or ) expected"},
+      {"#6=X(1,);", "\")\" given, a value expected"},
+      {"#6=(X();", "\";\" given, a keyword expected"},
+      {"#6=();", "\")\" given, a keyword expected"},
+      {"#6=X(&);", "\"&\" given, a value expected"},
+      {"#6 X();", "\"X\" given, = expected"},
+      {"#6=X(1.2.3);", "number: \"1.2.3\" is not a number"},
+      {"#6=X('", "the end of a string expected"},
+      {"#6=X(\x7f);", "a value expected"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    lam_curve_list list;
+    const char *message = read_curves(*state, file_of(*state, METRE, cases[i][0]), &list);
+    if (cases[i][1])
+      assert_string_equal(message ? message : "it is read", cases[i][1]);
+    else if (message)
+      fail_msg("%s", message);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       TEST(units_of_length_are_known),
@@ -315,6 +379,8 @@ int main(void) {
       TEST(splines_are_cut),
       TEST(polylines_have_whole_knots),
       TEST(curves_that_serve_others_are_left_out),
+      TEST(text_may_be_free),
+      TEST(bad_text_is_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,7 +8,8 @@
 
 extern const lam_format lam_format_step;
 
-static const double straight[] = {0, 0, 1, 1}, bent[] = {0, 0, .5, 1, 1}, quadratic[] = {0, 0, 0, 1, 1, 1};
+static const double straight[] = {0, 0, 1, 1}, bent[] = {0, 0, .5, 1, 1},
+                    quadratic[] = {0, 0, 0, 1, 1, 1};
 
 /* Points of the unit squares [0,1] x [0,1] and [1,2] x [0,1] in z = 0. The first looks up: u along
  * x, v along y. The second looks down: u along y, v along x. */
@@ -33,12 +34,6 @@ static const lam_vec3 up[4] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}},
   "#13=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#12))"             \
   "GLOBAL_UNIT_ASSIGNED_CONTEXT((#9,#10,#11))REPRESENTATION_CONTEXT('',''));\n"                    \
   "#14=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#15=AXIS2_PLACEMENT_3D('',#14,$,$);\n"
-#define LINE(points)                                                                               \
-  "=B_SPLINE_CURVE_WITH_KNOTS('',1," points ",.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"              \
-  ".UNSPECIFIED.);\n"
-#define PATCH(points)                                                                              \
-  "=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,(" points "),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),"        \
-  "(0.0,1.0),(0.0,1.0),.UNSPECIFIED.);\n"
 
 /* ---- two squares ---- */
 
@@ -51,38 +46,52 @@ static const lam_vec3 up[4] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}},
  * backward. The second one's own boundary, counterclockwise seen from its normal (below): u = y
  * first: common upward (side 0), top rightward (side 1), then right and bottom backward. Both pass
  * the common edge upward, so the second is turned over: its bound and its face say .F. */
-static const char two_squares[] = PRODUCT("two", "two")
-    "#16=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#17=CARTESIAN_POINT('',(0.0,1000.0,0.0));\n"
-    "#18=CARTESIAN_POINT('',(1000.0,0.0,0.0));\n#19=CARTESIAN_POINT('',(1000.0,1000.0,0.0));\n"
-    "#20" PATCH("(#16,#17),(#18,#19)")
-    "#21=CARTESIAN_POINT('',(1000.0,0.0,0.0));\n#22=CARTESIAN_POINT('',(2000.0,0.0,0.0));\n"
-    "#23=CARTESIAN_POINT('',(1000.0,1000.0,0.0));\n#24=CARTESIAN_POINT('',(2000.0,1000.0,0.0));\n"
-    "#25" PATCH("(#21,#22),(#23,#24)")
-    "#26=VERTEX_POINT('',#16);\n#27=VERTEX_POINT('',#18);\n#28=VERTEX_POINT('',#17);\n"
-    "#29=VERTEX_POINT('',#22);\n#30=VERTEX_POINT('',#19);\n#31=VERTEX_POINT('',#24);\n"
-    "#32" LINE("(#16,#18)") "#33=EDGE_CURVE('',#26,#27,#32,.T.);\n"
-    "#34" LINE("(#16,#17)") "#35=EDGE_CURVE('',#26,#28,#34,.T.);\n"
-    "#36" LINE("(#21,#22)") "#37=EDGE_CURVE('',#27,#29,#36,.T.);\n"
-    "#38" LINE("(#18,#19)") "#39=EDGE_CURVE('',#27,#30,#38,.T.);\n"
-    "#40" LINE("(#17,#19)") "#41=EDGE_CURVE('',#28,#30,#40,.T.);\n"
-    "#42" LINE("(#22,#24)") "#43=EDGE_CURVE('',#29,#31,#42,.T.);\n"
-    "#44" LINE("(#23,#24)") "#45=EDGE_CURVE('',#30,#31,#44,.T.);\n"
-    "#46=ORIENTED_EDGE('',*,*,#33,.T.);\n#47=ORIENTED_EDGE('',*,*,#39,.T.);\n"
-    "#48=ORIENTED_EDGE('',*,*,#41,.F.);\n#49=ORIENTED_EDGE('',*,*,#35,.F.);\n"
-    "#50=EDGE_LOOP('',(#46,#47,#48,#49));\n#51=FACE_OUTER_BOUND('',#50,.T.);\n"
-    "#52=ADVANCED_FACE('up',(#51),#20,.T.);\n"
-    "#53=ORIENTED_EDGE('',*,*,#39,.T.);\n#54=ORIENTED_EDGE('',*,*,#45,.T.);\n"
-    "#55=ORIENTED_EDGE('',*,*,#43,.F.);\n#56=ORIENTED_EDGE('',*,*,#37,.F.);\n"
-    "#57=EDGE_LOOP('',(#53,#54,#55,#56));\n#58=FACE_OUTER_BOUND('',#57,.F.);\n"
-    "#59=ADVANCED_FACE('down',(#58),#25,.F.);\n"
-    "#60=OPEN_SHELL('',(#52,#59));\n#61=SHELL_BASED_SURFACE_MODEL('',(#60));\n"
-    "#62=MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#15,#61),#13);\n"
-    "#63=SHAPE_DEFINITION_REPRESENTATION(#8,#62);\nENDSEC;\nEND-ISO-10303-21;\n";
+static const char two_squares[] = PRODUCT(
+    "two",
+    "two") "#16=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#17=CARTESIAN_POINT('',(0.0,1000.0,0.0));\n"
+           "#18=CARTESIAN_POINT('',(1000.0,0.0,0.0));\n#19=CARTESIAN_POINT('',(1000.0,1000.0,0.0));"
+           "\n"
+           "#20=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#16,#17),(#18,#19)),.UNSPECIFIED.,.F.,.F.,.F.,"
+           "(2,"
+           "2),(2,2),(0.0,1.0),(0.0,1.0),.UNSPECIFIED.);\n#21=CARTESIAN_POINT('',(1000.0,0.0,0.0));"
+           "\n"
+           "#22=CARTESIAN_POINT('',(2000.0,0.0,0.0));\n#23=CARTESIAN_POINT('',(1000.0,1000.0,0.0));"
+           "\n"
+           "#24=CARTESIAN_POINT('',(2000.0,1000.0,0.0));\n"
+           "#25=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#21,#22),(#23,#24)),.UNSPECIFIED.,.F.,.F.,.F.,"
+           "(2,"
+           "2),(2,2),(0.0,1.0),(0.0,1.0),.UNSPECIFIED.);\n#26=VERTEX_POINT('',#16);\n"
+           "#27=VERTEX_POINT('',#18);\n#28=VERTEX_POINT('',#17);\n#29=VERTEX_POINT('',#22);\n"
+           "#30=VERTEX_POINT('',#19);\n#31=VERTEX_POINT('',#24);\n"
+           "#32=B_SPLINE_CURVE_WITH_KNOTS('',1,(#16,#18),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
+           ".UNSPECIFIED.);\n#33=EDGE_CURVE('',#26,#27,#32,.T.);\n"
+           "#34=B_SPLINE_CURVE_WITH_KNOTS('',1,(#16,#17),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
+           ".UNSPECIFIED.);\n#35=EDGE_CURVE('',#26,#28,#34,.T.);\n"
+           "#36=B_SPLINE_CURVE_WITH_KNOTS('',1,(#21,#22),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
+           ".UNSPECIFIED.);\n#37=EDGE_CURVE('',#27,#29,#36,.T.);\n"
+           "#38=B_SPLINE_CURVE_WITH_KNOTS('',1,(#18,#19),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
+           ".UNSPECIFIED.);\n#39=EDGE_CURVE('',#27,#30,#38,.T.);\n"
+           "#40=B_SPLINE_CURVE_WITH_KNOTS('',1,(#17,#19),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
+           ".UNSPECIFIED.);\n#41=EDGE_CURVE('',#28,#30,#40,.T.);\n"
+           "#42=B_SPLINE_CURVE_WITH_KNOTS('',1,(#22,#24),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
+           ".UNSPECIFIED.);\n#43=EDGE_CURVE('',#29,#31,#42,.T.);\n"
+           "#44=B_SPLINE_CURVE_WITH_KNOTS('',1,(#23,#24),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
+           ".UNSPECIFIED.);\n#45=EDGE_CURVE('',#30,#31,#44,.T.);\n#46=ORIENTED_EDGE('',*,*,#33,.T.)"
+           ";\n"
+           "#47=ORIENTED_EDGE('',*,*,#39,.T.);\n#48=ORIENTED_EDGE('',*,*,#41,.F.);\n"
+           "#49=ORIENTED_EDGE('',*,*,#35,.F.);\n#50=EDGE_LOOP('',(#46,#47,#48,#49));\n"
+           "#51=FACE_OUTER_BOUND('',#50,.T.);\n#52=ADVANCED_FACE('up',(#51),#20,.T.);\n"
+           "#53=ORIENTED_EDGE('',*,*,#39,.T.);\n#54=ORIENTED_EDGE('',*,*,#45,.T.);\n"
+           "#55=ORIENTED_EDGE('',*,*,#43,.F.);\n#56=ORIENTED_EDGE('',*,*,#37,.F.);\n"
+           "#57=EDGE_LOOP('',(#53,#54,#55,#56));\n#58=FACE_OUTER_BOUND('',#57,.F.);\n"
+           "#59=ADVANCED_FACE('down',(#58),#25,.F.);\n#60=OPEN_SHELL('',(#52,#59));\n"
+           "#61=SHELL_BASED_SURFACE_MODEL('',(#60));\n"
+           "#62=MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#15,#61),#13);\n"
+           "#63=SHAPE_DEFINITION_REPRESENTATION(#8,#62);\nENDSEC;\nEND-ISO-10303-21;\n";
 
 static void faces_that_share_an_edge_look_the_same_way(void **state) {
-  lam_spline_surface surfaces[2] = {
-      {"up", {1, 1}, {2, 2}, {straight, straight}, up, NULL},
-      {"down", {1, 1}, {2, 2}, {straight, straight}, down, NULL}};
+  lam_spline_surface surfaces[2] = {{"up", {1, 1}, {2, 2}, {straight, straight}, up, NULL},
+                                    {"down", {1, 1}, {2, 2}, {straight, straight}, down, NULL}};
   lam_model model = {.name = "two", .version = "0", .surface_count = 2, .surfaces = surfaces};
   assert_string_equal(text_path(*state, &lam_format_step, &model, 0), "two.step");
   assert_lines("two squares", text_of(*state, &lam_format_step, &model, 0), two_squares);
@@ -124,9 +133,9 @@ static lam_vec3 vertex(const char *text, int entity) {
   return x;
 }
 
-/* Twice the area that the bound of a face encloses, as a vector along the normal that the file gives
- * the face: the loop is passed as its edges say, or backward when its bound is not .T. Every edge
- * begins where the one before ends. */
+/* Twice the area that the bound of a face encloses, as a vector along the normal that the file
+ * gives the face: the loop is passed as its edges say, or backward when its bound is not .T. Every
+ * edge begins where the one before ends. */
 static lam_vec3 face_area(const char *text, int face) {
   int bound, loop, oriented[8], edge, ends[2][2];
   references(text, face, &bound, 1);
@@ -191,33 +200,45 @@ static void a_cube_looks_out_or_in(void **state) {
 
 /* ---- curves ---- */
 
-/* Families -1, 0 and 1, each on a layer and in a set; the rational one as a complex instance; beside
- * them no surface, so they are the shape of the product. A title is not the name. */
-static const char three_curves[] = PRODUCT("three", "\\X2\\00E9\\X0\\''\\\\")
-    "#16=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#17=CARTESIAN_POINT('',(1.0,2.0,3.0));\n"
-    "#18=B_SPLINE_CURVE_WITH_KNOTS('rim',1,(#16,#17),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
-    ".UNSPECIFIED.);\n"
-    "#19=PRESENTATION_LAYER_ASSIGNMENT('curves','',(#18));\n"
-    "#20=GEOMETRIC_CURVE_SET('curves',(#18));\n"
-    "#21=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#22=CARTESIAN_POINT('',(1.0,2.0,3.0));\n"
-    "#23=CARTESIAN_POINT('',(4.0,5.0,6.0));\n"
-    "#24=B_SPLINE_CURVE_WITH_KNOTS('A01',1,(#21,#22,#23),.UNSPECIFIED.,.F.,.F.,(2,1,2),"
-    "(0.0,0.5,1.0),.UNSPECIFIED.);\n"
-    "#25=PRESENTATION_LAYER_ASSIGNMENT('family 0','',(#24));\n"
-    "#26=GEOMETRIC_CURVE_SET('family 0',(#24));\n"
-    "#27=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#28=CARTESIAN_POINT('',(1.0,2.0,3.0));\n"
-    "#29=CARTESIAN_POINT('',(4.0,5.0,6.0));\n"
-    "#30=(BOUNDED_CURVE()B_SPLINE_CURVE(2,(#27,#28,#29),.UNSPECIFIED.,.F.,.F.)"
-    "B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.0,1.0),.UNSPECIFIED.)CURVE()"
-    "GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.0,0.5,2.0))"
-    "REPRESENTATION_ITEM('B01'));\n"
-    "#31=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#32=CARTESIAN_POINT('',(1.0,2.0,3.0));\n"
-    "#33=B_SPLINE_CURVE_WITH_KNOTS('B02',1,(#31,#32),.UNSPECIFIED.,.F.,.F.,(2,2),(0.0,1.0),"
-    ".UNSPECIFIED.);\n"
-    "#34=PRESENTATION_LAYER_ASSIGNMENT('family 1','',(#30,#33));\n"
-    "#35=GEOMETRIC_CURVE_SET('family 1',(#30,#33));\n"
-    "#36=GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(#15,#20,#26,#35),#13);\n"
-    "#37=SHAPE_DEFINITION_REPRESENTATION(#8,#36);\nENDSEC;\nEND-ISO-10303-21;\n";
+/* Families -1, 0 and 1, each on a layer and in a set; the rational one as a complex instance;
+ * beside them no surface, so they are the shape of the product. A title is not the name. */
+static const char three_curves[] = PRODUCT(
+    "three",
+    "\\X2\\00E9\\X0\\''\\\\") "#16=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#17=CARTESIAN_POINT('',(1.0,"
+                              "2.0,3.0));\n"
+                              "#18=B_SPLINE_CURVE_WITH_KNOTS('rim',1,(#16,#17),.UNSPECIFIED.,.F.,."
+                              "F.,(2,2),(0.0,1.0),"
+                              ".UNSPECIFIED.);\n"
+                              "#19=PRESENTATION_LAYER_ASSIGNMENT('curves','',(#18));\n"
+                              "#20=GEOMETRIC_CURVE_SET('curves',(#18));\n"
+                              "#21=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#22=CARTESIAN_POINT('',(1.0,"
+                              "2.0,3.0));\n"
+                              "#23=CARTESIAN_POINT('',(4.0,5.0,6.0));\n"
+                              "#24=B_SPLINE_CURVE_WITH_KNOTS('A01',1,(#21,#22,#23),.UNSPECIFIED.,."
+                              "F.,.F.,(2,1,2),"
+                              "(0.0,0.5,1.0),.UNSPECIFIED.);\n"
+                              "#25=PRESENTATION_LAYER_ASSIGNMENT('family 0','',(#24));\n"
+                              "#26=GEOMETRIC_CURVE_SET('family 0',(#24));\n"
+                              "#27=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#28=CARTESIAN_POINT('',(1.0,"
+                              "2.0,3.0));\n"
+                              "#29=CARTESIAN_POINT('',(4.0,5.0,6.0));\n"
+                              "#30=(BOUNDED_CURVE()B_SPLINE_CURVE(2,(#27,#28,#29),.UNSPECIFIED.,.F."
+                              ",.F.)"
+                              "B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.0,1.0),.UNSPECIFIED.)CURVE()"
+                              "GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.0,0.5,2.0)"
+                              ")"
+                              "REPRESENTATION_ITEM('B01'));\n"
+                              "#31=CARTESIAN_POINT('',(0.0,0.0,0.0));\n#32=CARTESIAN_POINT('',(1.0,"
+                              "2.0,3.0));\n"
+                              "#33=B_SPLINE_CURVE_WITH_KNOTS('B02',1,(#31,#32),.UNSPECIFIED.,.F.,."
+                              "F.,(2,2),(0.0,1.0),"
+                              ".UNSPECIFIED.);\n"
+                              "#34=PRESENTATION_LAYER_ASSIGNMENT('family 1','',(#30,#33));\n"
+                              "#35=GEOMETRIC_CURVE_SET('family 1',(#30,#33));\n"
+                              "#36=GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(#15,#"
+                              "20,#26,#35),#13);\n"
+                              "#37=SHAPE_DEFINITION_REPRESENTATION(#8,#36);\nENDSEC;\nEND-ISO-"
+                              "10303-21;\n";
 
 static const lam_vec3 steps[3] = {{0, 0, 0}, {1e-3, 2e-3, 3e-3}, {4e-3, 5e-3, 6e-3}};
 static const double weights[3] = {1, .5, 2};
@@ -227,11 +248,8 @@ static const lam_named_curve curves[4] = {{"A01", 0, {1, 3, bent, steps, NULL}},
                                           {"B02", 1, {1, 2, straight, steps, NULL}}};
 
 static void curves_are_sets_by_family(void **state) {
-  lam_model model = {.name = "three",
-                     .title = "\u00e9'\\",
-                     .version = "0",
-                     .curve_count = 4,
-                     .curves = curves};
+  lam_model model = {
+      .name = "three", .title = "\u00e9'\\", .version = "0", .curve_count = 4, .curves = curves};
   assert_lines("curves", text_of(*state, &lam_format_step, &model, 0), three_curves);
 }
 
@@ -264,11 +282,11 @@ static void curves_stand_beside_surfaces(void **state) {
                      "#50=SHAPE_REPRESENTATION_RELATIONSHIP('','',#42,#48);\nENDSEC;\n");
 }
 
-/* Code points beyond ASCII by ISO 10303-21, 6.4.3: two bytes of UTF-8 (U+00E9), three (U+20AC), four
- * (U+1F3D7); control characters are dropped. */
+/* Code points beyond ASCII by ISO 10303-21, 6.4.3: two bytes of UTF-8 (U+00E9), three (U+20AC),
+ * four (U+1F3D7); control characters are dropped. */
 static void names_are_written_in_ascii(void **state) {
-  lam_model model = {.name = "x\t\u00e9\u20ac\U0001F3D7~\x7f", .version = "0", .curve_count = 1,
-                     .curves = curves};
+  lam_model model = {
+      .name = "x\t\u00e9\u20ac\U0001F3D7~\x7f", .version = "0", .curve_count = 1, .curves = curves};
   assert_holds(text_of(*state, &lam_format_step, &model, 0),
                "FILE_NAME('x\\X2\\00E9\\X0\\\\X2\\20AC\\X0\\\\X4\\0001F3D7\\X0\\~',");
 }

@@ -22,8 +22,8 @@ static lam_flat up = {.height = .08, .thickness = .0015, .slot_count = 2, .slots
                         .slots = from_below},
                 board = {.thickness = .012}; /* no strip, no slots */
 
-/* A01 has two sheets, the other lamellas have one. The clamp is no sheet of A01, though its family and
- * group are the same. */
+/* A01 has two sheets, the other lamellas have one. The clamp is no sheet of A01, though its family
+ * and group are the same. What stands last in a list here is beyond its count: it must not show. */
 static lam_part parts[] = {
     {.name = "B01",
      .kind = "lamella",
@@ -46,6 +46,7 @@ static lam_part parts[] = {
     {.name = "A02", .kind = "lamella", .group = 1},
     {.name = "N2", .kind = "node", .family = -1, .group = -1, .instance_count = 1},
     {.name = "C01", .kind = "clamp"},
+    {.name = "X", .kind = "lamella"},
 };
 
 /* Pieces; a plate is a piece of no part, and a part may have the label of a plate. */
@@ -56,6 +57,7 @@ static lam_sheet_piece first[] = {
     {.part = 2, .label = "A01a.3"},
     {.part = -1, .label = "P1", .area = .002, .length = .12345678},
     {.part = 0, .label = "P2"},
+    {.part = -1, .label = "X"},
 };
 static lam_sheet_piece second[] = {
     {.part = -1, .label = "P1", .area = .002, .length = .12345678},
@@ -65,7 +67,9 @@ static lam_sheet_piece second[] = {
     {.part = -1, .label = "P2", .area = .00300001, .length = .2},
     {.part = 4, .label = "A01b.1"},
     {.part = 4, .label = "A01b.2"},
+    {.part = 2, .label = "X"},
 };
+static lam_sheet_piece beyond[] = {{.part = 0, .label = "X"}, {.part = -1, .label = "X"}};
 static lam_sheet_piece third[] = {{.part = -1, .label = "P1", .area = .002, .length = .1},
                                   {.part = 0, .label = "B01.2"}};
 static lam_sheet_piece fourth[] = {{.part = -1, .label = "P1", .area = .002, .length = .1}};
@@ -76,6 +80,7 @@ static const lam_sheet sheets[] = {
     {.name = "s3", .material = &steel, .thickness = .003, .piece_count = 2, .placed = third},
     {.name = "s4", .material = &ply, .thickness = .0015, .piece_count = 1, .placed = fourth},
     {.name = "s5", .thickness = .0015, .piece_count = 1, .placed = fifth},
+    {.name = "X", .thickness = .0015, .piece_count = 2, .placed = beyond},
 };
 
 /* Along A01 node 2 comes before node 1; node 1 names the second sheet of A01. */
@@ -94,6 +99,7 @@ static const lam_crossing crossings[] = {
      .along = {.50012345, .3}},
     {.normal = {0, 0, 1}, .angle = 1, .flat_angle = 1, .parts = {5, 0}, .along = {.4, 1.25}},
     {.normal = {0, 0, 1}, .angle = 1, .flat_angle = 1, .parts = {5, 3}, .along = {1.4, 1.2}},
+    {.parts = {5, 0}, .along = {1, 1}},
 };
 
 static const lam_model workshop = {.name = "hut",
@@ -218,8 +224,9 @@ static void a_table_is_written_when_it_has_rows(void **state) {
 /* ---- the report ---- */
 
 static lam_measure measures[] = {{"length", "m", 1 / 3., 12345678.912345, 2, 7},
-                                 {"angle", "", NAN, INFINITY, -1.5, 0}};
-static const char *notes[] = {"One thing.", "Another \"thing\"."};
+                                 {"angle", "", NAN, INFINITY, -1.5, 0},
+                                 {"beyond", "", 0, 0, 0, 0}};
+static const char *notes[] = {"One thing.", "Another \"thing\".", "Beyond."};
 static lam_stage stages[] = {
     {.name = "net",
      .converged = true,
@@ -234,6 +241,7 @@ static lam_stage stages[] = {
      .residual = 3,
      .note_count = 2,
      .notes = notes},
+    {.name = "beyond", .reason = "done"},
 };
 static const lam_report report = {2, stages};
 

@@ -16,8 +16,9 @@ static double at_knot(side s, const double *knots, int count, int k) {
   return s.low + (s.high - s.low) * (knots[k] - knots[0]) / (knots[count - 1] - knots[0]);
 }
 
-/* Of degrees 2 and 3, exact by polar forms: the control point of knots a, b and c, d, e has x = (a +
- * b) / 2, y = (c + d + e) / 3, z = a b + x y - (c d + c e + d e) / 3. n and m control points. */
+/* Of degrees 2 and 3, exact by polar forms: the control point of knots a, b and c, d, e has
+ * x = (a + b) / 2, y = (c + d + e) / 3, z = a b + x y - (c d + c e + d e) / 3. n and m control
+ * points. */
 static lam_spline_surface saddle(lam_arena *arena, side x, side y, double *u, int n, double *v,
                                  int m) {
   lam_spline_surface s = {.degree = {2, 3}, .count = {n, m}, .knots = {u, v}};
@@ -201,7 +202,8 @@ static void what_alignment_leaves(void **state) {
     points[i] = (lam_vec2){7 - p.y, p.x - 3};
   }
   /* With deviations d_i = (3, 0) at (1, 1), else (-1, 0): sum p.q = 8 + sum d.q, sum p x q =
-   * sum d x q. d.q: 3 - (-1 + 1 - 1) = 4; d x q = d_x q_y: 3 - (-1 - 1 + 1) = 4. The angle is atan(4 / 12).
+   * sum d x q. d.q: 3 - (-1 + 1 - 1) = 4; d x q = d_x q_y: 3 - (-1 - 1 + 1) = 4. The angle is
+   * atan(4 / 12).
    * What remains: sum |p|^2 + |q|^2 - 2 hypot(12, 4) = (8 + 12 + 8) + 8 - 2 hypot(12, 4). */
   double left = lam_flat_align(4, target, points);
   assert_near(left, sqrt((28 + 8 - 2 * hypot(12, 4)) / 4), 1e-13);
