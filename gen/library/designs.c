@@ -68,13 +68,6 @@ lam_status lam_design_build(lam_session *session, const lam_design *design,
   return lam_session_leave(session, build(session, design, model));
 }
 
-/* Stages that do not iterate are converged unless they failed. */
-bool lam_report_converged(const lam_report *report) {
-  for (int i = 0; i < report->stage_count; i++)
-    if (!report->stages[i].converged) return false;
-  return true;
-}
-
 /* ---- shipped designs ---- */
 
 /* By its ending: the other files that designs name are meshes, points and the like. */

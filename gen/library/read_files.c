@@ -105,6 +105,7 @@ lam_status lam_read_triangles(lam_session *session, const char *path, lam_trimes
   return lam_session_leave(session, LAM_OK);
 }
 
+/* Neither output is set when there is no such surface. */
 lam_status lam_read_surface(lam_session *session, const char *path, int face,
                             lam_spline_surface *surface, const char **note) {
   LAM_ENTER(session);
@@ -112,6 +113,7 @@ lam_status lam_read_surface(lam_session *session, const char *path, int face,
   return lam_session_leave(session, LAM_OK);
 }
 
+/* Neither output is set when there are no curves. */
 lam_status lam_read_curves(lam_session *session, const char *path, int *count,
                            const lam_named_curve **curves) {
   LAM_ENTER(session);
@@ -119,6 +121,7 @@ lam_status lam_read_curves(lam_session *session, const char *path, int *count,
   return lam_session_leave(session, LAM_OK);
 }
 
+/* Points before a mistake may be set: the status tells. */
 lam_status lam_read_points(lam_session *session, const char *path, int *count,
                            const lam_vec3 **points) {
   LAM_ENTER(session);

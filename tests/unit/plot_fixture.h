@@ -1,6 +1,5 @@
 /* What tests of plots share: colors and pieces of the drawings as they are expected. The colors are
- * those of core/ramp.h, computed apart from Ottosson's formulas and the sRGB curve of IEC 61966-2-1.
- */
+ * those of core/ramp.h, computed apart from Ottosson's formulas and the curve of IEC 61966-2-1. */
 #ifndef LAM_TESTS_PLOT_FIXTURE_H
 #define LAM_TESTS_PLOT_FIXTURE_H
 

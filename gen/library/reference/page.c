@@ -111,9 +111,9 @@ static void add_pairs(lam_text *line, const lam_key *keys) {
   }
 }
 
-/* What closes the brackets that a usage such as "parts: [{kind: %s" opens, but for the brace of the
- * kind: the list, and the map around it where there is one ("net: {..., constraints: [{kind:
- * %s"). */
+/* What closes the brackets that a usage opens, but for the brace of the kind: nothing after
+ * "surface: {kind: %s", the list after "parts: [{kind: %s", and the map around it after
+ * "net: {..., constraints: [{kind: %s". */
 static const char *closing(const char *usage) {
   if (!strchr(usage, '[')) return "";
   return strstr(usage, "...") ? "]}" : "]";

@@ -5,6 +5,7 @@
 #include "design/design.h"
 #include "fab/flat/path.h"
 #include "fab_fixture.h"
+#include "mesh/offset.h"
 #include "tests/unit/asserts.h"
 
 /* Makes a row from its text in a design. */
@@ -102,6 +103,23 @@ static void bars_lie_on_their_edges(void **state) {
     assert_near(max.y, (low ? -2 : 2) + .03, 1e-9);
     assert_near(min.x, left ? -1 : .005, 1e-9);
     assert_near(max.x, left ? -.005 : 1, 1e-9);
+  }
+}
+
+/* A square bar stands on the mean of the normals at its ends: where these are upright and level, it
+ * stands on an edge. */
+static void bars_stand_on_the_mean_normal(void **state) {
+  lam_workshop shop = shop_of(state, 2, 2, field);
+  lam_vec3 normals[4] = {{0, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}};
+  shop.normals = normals;
+  make(&shop, "bars", "{profile: square, diameter: 60 mm, families: [0]}");
+  assert_int_equal(shop.part_count, 2);
+  for (int i = 0; i < 2; i++) {
+    lam_vec3 min, max;
+    lam_points_bounds(shop.parts[i].solid.vertices, shop.parts[i].solid.vertex_count, &min, &max);
+    assert_near(max.z, .03 * sqrt(2), 1e-9);
+    assert_near(min.z, -.03 * sqrt(2), 1e-9);
+    assert_near(max.y - min.y, .06 * sqrt(2), 1e-9);
   }
 }
 
@@ -208,6 +226,35 @@ static void beams_need_room_between_nodes(void **state) {
   make(&shop, "support", "{height: 200 mm, thickness: 70 mm, gap: 2.828 mm, along: normals}");
   assert_int_equal(shop.part_count, 36);
   assert_string_equal(shop.stages[0].notes[1], "24 edges are too short for their nodes");
+}
+
+/* On z = u v / 50 the quads are nearly flat. Their warp, from both ends of an edge and the
+ * directions there: |(x1 - x0) . d0 x d1| times the height, over the cross product of the
+ * diagonals. */
+static lam_vec3 slight(double u, double v) { return lam_v3(u, v, u * v / 50); }
+
+static void warped_beams_are_told(void **state) {
+  lam_workshop shop = shop_of(state, 3, 4, slight);
+  make(&shop, "support", "{height: 200 mm, along: normals, flat: 0.1}");
+  int count = shop.net->edge_count;
+  const lam_vec3 *x = shop.net->mesh.vertices;
+  lam_vec3 *d = LAM_NEW(shop.arena, lam_vec3, shop.net->mesh.vertex_count);
+  lam_net_mirrored_normals(shop.arena, shop.net, x, d);
+  double most = 0, sum = 0;
+  assert_int_equal(shop.part_count, count);
+  for (int e = 0; e < count; e++) {
+    const int *v = shop.net->edges[e].vertex;
+    lam_vec3 along = lam_sub(x[v[1]], x[v[0]]), a = lam_scale(d[v[0]], .2),
+             b = lam_scale(d[v[1]], .2);
+    double volume = lam_dot(along, lam_cross(a, b));
+    lam_vec3 up = lam_add(along, b), down = lam_sub(a, along);
+    double warp = fabs(volume) / lam_length(lam_cross(up, down));
+    assert_fact(&shop.parts[e], 3, "warp", "m", warp);
+    most = fmax(most, warp);
+    sum += warp;
+  }
+  assert_true(most > 1e-5);
+  assert_told(&shop, "support", "warp", "mm", most * 1e3, sum / count * 1e3, count);
 }
 
 /* ---- rings and balls on 4 x 4 unit squares ---- */
@@ -325,10 +372,16 @@ static void images_are_measured_and_face_outward(void **state) {
 int main(void) {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, fixture_setup, fixture_teardown)
   const struct CMUnitTest tests[] = {
-      TEST(bars_are_counted_and_weighed),         TEST(bars_lie_on_their_edges),
-      TEST(rims_tubes_and_second_materials),      TEST(short_edges_get_no_bar),
-      TEST(beams_are_counted_and_weighed),        TEST(beams_need_room_between_nodes),
-      TEST(rings_and_balls_are_counted),          TEST(circles_of_two_sizes),
+      TEST(bars_are_counted_and_weighed),
+      TEST(bars_lie_on_their_edges),
+      TEST(bars_stand_on_the_mean_normal),
+      TEST(rims_tubes_and_second_materials),
+      TEST(short_edges_get_no_bar),
+      TEST(beams_are_counted_and_weighed),
+      TEST(beams_need_room_between_nodes),
+      TEST(warped_beams_are_told),
+      TEST(rings_and_balls_are_counted),
+      TEST(circles_of_two_sizes),
       TEST(images_are_measured_and_face_outward),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

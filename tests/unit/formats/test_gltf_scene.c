@@ -161,6 +161,25 @@ static void a_net_is_lines(void **state) {
   assert_node(&s, 1, "net", -1, 0);
 }
 
+/* 16 bits as long as no index can be 65535, which glTF forbids; 32 bits from 65535
+ * vertices on. */
+static void indices_are_as_wide_as_needed(void **state) {
+  lam_vec3 *many = LAM_NEW(*state, lam_vec3, 65535);
+  for (int wide = 0; wide < 2; wide++) {
+    lam_mesh net = {65534 + wide, many, 2, quads};
+    int ends[2] = {0, 65533 + wide};
+    lam_polyline line = {0, false, 2, ends};
+    lam_model model = {
+        .name = "net", .title = "net", .net = &net, .polyline_count = 1, .polylines = &line};
+    scene s = read_scene(*state, &lam_format_gltf, &model, 0);
+    int accessor = (int)number(primitive_of(&s, 0), "indices");
+    const char *bytes = data_of(&s, accessor, "SCALAR", wide ? 5125 : 5123, 2);
+    uint16_t narrow;
+    memcpy(&narrow, bytes + 2, 2);
+    assert_int_equal(wide ? (int)word(bytes + 4) : narrow, ends[1]);
+  }
+}
+
 /* Texture coordinates count from the upper left corner: v becomes 1 - v. */
 static void prints_have_their_picture(void **state) {
   static const unsigned char pixels[3] = {10, 20, 30};
@@ -204,9 +223,13 @@ static void prints_have_their_picture(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEXT_TEST(parts_are_nodes),         TEXT_TEST(meshes_have_their_numbers),
-      TEXT_TEST(gentle_edges_are_shared), TEXT_TEST(zeros_are_not_negative),
-      TEXT_TEST(a_net_is_lines),          TEXT_TEST(prints_have_their_picture),
+      TEXT_TEST(parts_are_nodes),
+      TEXT_TEST(meshes_have_their_numbers),
+      TEXT_TEST(gentle_edges_are_shared),
+      TEXT_TEST(zeros_are_not_negative),
+      TEXT_TEST(a_net_is_lines),
+      TEXT_TEST(indices_are_as_wide_as_needed),
+      TEXT_TEST(prints_have_their_picture),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

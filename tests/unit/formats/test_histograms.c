@@ -103,26 +103,26 @@ static void a_constant_has_one_bar(void **state) {
   };
   assert_pieces(*state, "histogram",
                 histogram_of(*state, &map, &(lam_color_scale){value, value, false, true},
-                             (lam_box){1.2346, 10, 10, 8}),
+                             (lam_box){1.2346, 10.0004, 10.0004, 7.9996}),
                 expected);
 }
 
-/* Maps that share a range show all of it, 0 to 48 in bins of 2, though these values go from 4 to 6;
+/* Maps that share a range show all of it, 2 to 50 in bins of 2, though these values go from 4 to 6;
  * what lies above is in the last bin. */
 static void a_shared_range_is_shown_whole(void **state) {
-  const double values[] = {4, 6, 50};
+  const double values[] = {4, 6, 52};
   const lam_map map = {.on = LAM_MAP_FACES,
                        .summary = {"size", "", 4, 6, 5, 2},
                        .count = 3,
                        .values = values,
-                       .range = {0, 48}};
+                       .range = {2, 50}};
   const char *text =
-      histogram_of(*state, &map, &(lam_color_scale){0, 48, false, false}, (lam_box){0, 0, 48, 10});
-  assert_holds(text, BAR("0", "10", "2", "0", "#331a5c", "0 from 0 to 2"));
-  assert_holds(text, BAR("4", "0", "2", "10", "#302e73", "1 from 4 to 6"));
-  assert_holds(text, BAR("6", "0", "2", "10", "#2c397e", "1 from 6 to 8"));
-  assert_holds(text, BAR("46", "0", "2", "10", "#e9e85d", "1 from 46 to 48"));
-  assert_holds(text, LINE("mean", "5", "-1", "5", "10"));
+      histogram_of(*state, &map, &(lam_color_scale){2, 50, false, false}, (lam_box){0, 0, 48, 10});
+  assert_holds(text, BAR("0", "10", "2", "0", "#331a5c", "0 from 2 to 4"));
+  assert_holds(text, BAR("2", "0", "2", "10", "#322468", "1 from 4 to 6"));
+  assert_holds(text, BAR("4", "0", "2", "10", "#302e73", "1 from 6 to 8"));
+  assert_holds(text, BAR("46", "0", "2", "10", "#e9e85d", "1 from 48 to 50"));
+  assert_holds(text, LINE("mean", "3", "-1", "3", "10"));
 }
 
 /* Bins from -5.5 to 18.5: the sixth lies around 0, where a scale of both signs is palest. */

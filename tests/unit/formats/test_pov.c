@@ -137,8 +137,8 @@ static void gentle_edges_are_shared(void **state) {
 
 /* 2 x 2 squares of side 0.5: all edges are as long as the mean, so lines have the radius
  * 0.5 x 0.026 = 0.013 and 0.026 along the boundary; balls as the thickest line. The desk-sized net
- * has seven decimals. A point counts as further out from a micrometer on: the one 0.8 um up does
- * not, the one 1.2 um up does. Quads are cut along their shorter diagonal or from corner 0. */
+ * has seven decimals. A point counts as further out from a micrometer on: the one 0.84 um up does
+ * not, the one 1.24 um up does. Quads are cut along their shorter diagonal or from corner 0. */
 static const char net_scene[] =
     "#declare Model_Min = <0,0,0>;\n#declare Model_Max = <1,1,0.0000012>;\n"
     "#declare Model_Ground = 0;\n#declare Model_Support_Count = 0;\n"
@@ -176,7 +176,7 @@ static const char net_lines[] =
 static void a_net_has_faces_and_lines(void **state) {
   lam_vec3 x[9];
   for (int i = 0; i < 9; i++) x[i] = lam_v3(i % 3 * .5, i / 3 * .5, 0);
-  x[4].z = .8e-6, x[5].z = 1.2e-6;
+  x[4].z = .84e-6, x[5].z = 1.24e-6;
   int faces[4][4] = {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 7}};
   lam_mesh net = {9, x, 4, faces};
   lam_model model = {.name = "net", .title = "net", .net = &net, .picture = picture};

@@ -56,6 +56,10 @@ static void parts_lie_between_feet(void **state) {
       {{1, 0, 2}, {3, 0, -2}, 2, {{1, 0, 0}, {3, 0, 0}}},
       {{5, -1, 0}, {4, 1, 0}, 2, {{4, 0, 0}, {4, 1, 0}}},
       {{-3, 0, 0}, {4, 9, 0}, 3, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}},
+      {{0, 0, 0}, {2, 0, 0}, 2, {{0, 0, 0}, {2, 0, 0}}},
+      {{2, 0, 0}, {0, 0, 0}, 2, {{0, 0, 0}, {2, 0, 0}}},
+      {{4, 2, 0}, {4, 4, 0}, 2, {{4, 2, 0}, {4, 4, 0}}},
+      {{4, 4, 0}, {4, 2, 0}, 2, {{4, 2, 0}, {4, 4, 0}}},
       {{0, 0, 0}, {4, 4, 0}, 3, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}},
       {{4, 4, 0}, {0, 0, 0}, 3, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}},
       {{2, 0, 0}, {2, 0, 0}, 3, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}},
@@ -65,6 +69,26 @@ static void parts_lie_between_feet(void **state) {
     assert_points(&part, cases[i].count, cases[i].points, 1e-12,
                   lam_arena_printf(*state, "case %d", (int)i));
   }
+}
+
+/* A line that comes back to where it was has its end twice; its ends are taken as they are. */
+static void an_end_that_is_passed_before_stays_the_end(void **state) {
+  static const double knots[] = {0, 0, 1, 2, 3, 4, 4};
+  static const lam_vec3 loop[5] = {{-4, 0, 0}, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 0, 0}};
+  const lam_spline_curve c = {1, 5, knots, loop, NULL};
+  lam_spline_curve forward = lam_curve_between(*state, &c, loop[0], loop[4]),
+                   backward = lam_curve_between(*state, &c, loop[4], loop[0]);
+  assert_points(&forward, 5, loop, 0, "forward");
+  assert_points(&backward, 5, loop, 0, "backward");
+}
+
+/* What is too short to be cut is measured by the length of the domain, wherever it begins. */
+static void domains_may_begin_anywhere(void **state) {
+  static const double knots[] = {1e9, 1e9, 1e9 + 4, 1e9 + 4};
+  static const lam_vec3 ends[2] = {{0, 0, 0}, {4, 0, 0}};
+  const lam_spline_curve c = {1, 2, knots, ends, NULL};
+  lam_spline_curve part = lam_curve_between(*state, &c, lam_v3(1, 1, 0), lam_v3(3, 1, 0));
+  assert_points(&part, 2, (lam_vec3[2]){{1, 0, 0}, {3, 0, 0}}, 1e-6, "part"); /* eps x 1e9 */
 }
 
 /* A full circle is closed: both ends are one point, and it stays whole; two points on it cut it. */
@@ -110,6 +134,25 @@ static void borders_are_told(void **state) {
                           cases[i].points, NULL};
     if (lam_curve_is_border(*state, &c, &s) != cases[i].border)
       fail_msg("case %d: %s a border", (int)i, cases[i].border ? "not" : "taken as");
+  }
+}
+
+/* A side of 600 teeth, of which 256 samples would miss most: a border that has the parameters of
+ * its side, forward or backward, is told by them. One of the other parity is none. */
+static void toothed_borders_are_told(void **state) {
+  enum { n = 601 };
+  static double knots[n + 2];
+  static lam_vec3 sides[2 * n], along[3][n];
+  for (int i = 0; i < n + 2; i++) knots[i] = i == 0 ? 0 : i > n ? n - 1 : i - 1;
+  for (int i = 0; i < n; i++) {
+    sides[2 * i] = along[0][i] = along[1][n - 1 - i] = lam_v3(.01 * i, i % 2 * .5, 0);
+    sides[2 * i + 1] = lam_v3(.01 * i, 10, 0);
+    along[2][i] = lam_v3(.01 * i, (1 - i % 2) * .5, 0);
+  }
+  const lam_spline_surface s = {"s", {1, 1}, {n, 2}, {knots, straight}, sides, NULL};
+  for (int k = 0; k < 3; k++) {
+    const lam_spline_curve c = {1, n, knots, along[k], NULL};
+    assert_int_equal(lam_curve_is_border(*state, &c, &s), k < 2);
   }
 }
 
@@ -213,10 +256,17 @@ static void sides_meet_by_points_and_weights(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEXT_TEST(arcs_have_pieces),           TEXT_TEST(parts_lie_between_feet),
-      TEXT_TEST(a_closed_curve_stays_whole), TEXT_TEST(borders_are_told),
-      TEXT_TEST(problems_are_named),         TEXT_TEST(notes_say_what_is_not_read),
-      TEXT_TEST(near_sides_are_one),         TEXT_TEST(sides_meet_by_points_and_weights),
+      TEXT_TEST(arcs_have_pieces),
+      TEXT_TEST(parts_lie_between_feet),
+      TEXT_TEST(an_end_that_is_passed_before_stays_the_end),
+      TEXT_TEST(domains_may_begin_anywhere),
+      TEXT_TEST(toothed_borders_are_told),
+      TEXT_TEST(a_closed_curve_stays_whole),
+      TEXT_TEST(borders_are_told),
+      TEXT_TEST(problems_are_named),
+      TEXT_TEST(notes_say_what_is_not_read),
+      TEXT_TEST(near_sides_are_one),
+      TEXT_TEST(sides_meet_by_points_and_weights),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 /* What a STEP file says of how surfaces hang together, entity by entity: which way around vertices,
  * edges, loops and faces are passed; curves by family. CAD programs close a shell, or offset it to
- * one side, by these flags alone (ISO 10303-42, 5.4). */
+ * one side, by these flags alone (ISO 10303-42). */
 #include "tests/unit/text_fixture.h"
 
 #include <stdio.h>
@@ -282,7 +282,7 @@ static void curves_stand_beside_surfaces(void **state) {
                      "#50=SHAPE_REPRESENTATION_RELATIONSHIP('','',#42,#48);\nENDSEC;\n");
 }
 
-/* Code points beyond ASCII by ISO 10303-21, 6.4.3: two bytes of UTF-8 (U+00E9), three (U+20AC),
+/* Code points beyond ASCII by ISO 10303-21: two bytes of UTF-8 (U+00E9), three (U+20AC),
  * four (U+1F3D7); control characters are dropped. */
 static void names_are_written_in_ascii(void **state) {
   lam_model model = {
