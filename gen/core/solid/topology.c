@@ -226,7 +226,7 @@ lam_status lam_topology_make(const lam_trimesh *mesh, int *component, int (*fan)
     return LAM_NO_MEMORY;
   }
 
-  find_topology(mesh, arena, component, &fan[0][0], topology);
+  find_topology(mesh, arena, component, (int *)fan, topology);
   lam_arena_free(arena);
   return LAM_OK;
 }
