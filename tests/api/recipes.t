@@ -293,3 +293,60 @@ sed -i 's/-4 \* q1/-4 * q2/' "copy/${new[1]}"
 try checks
 ok "a wrong second derivative of the new surface is found and named" grep -q 'conoid.*x_uv' out err
 ok "a wrong Jacobian of the new constraint is found and named" grep -q 'equal-diagonals.*by differences' out err
+
+# ---- the house ----
+# Sources, and the objects of the new files, their lists and the nets' room: tests/layers reads every object there is.
+house=$scratch/house
+objects() { sed 's,\.c$,.o,; s,^,build/obj/,' < <(printf '%s\n' "${new[@]}" "${lists[@]}" gen/net/*.c); }
+mkdir house && (cd copy && cp -a --parents gen formats tests/layers $(objects) "$house")
+layers() { perl "$root/tests/layers" "$house"; }
+try layers
+ok "tests/layers accepts what follows the recipes" says 0 '^layers: no include breaks the rule$'
+
+# finds SENTENCE MESSAGE FILE...: the message is the only one; the files are then as they were, or gone.
+finds() {
+  local file sentence=$1 message=$2
+  shift 2
+  try layers
+  ok "tests/layers finds $sentence" broken "$message"
+  for file; do
+    rm -f "house/$file"
+    [[ ! -e copy/$file ]] || cp -a "copy/$file" "house/$file"
+  done
+}
+broken() { [[ $status -eq 1 ]] && grep -qxF -- "$1" out && grep -qx '1 broken' out; }
+# add FILE LINE...: appends lines.
+add() { printf '%s\n' "${@:2}" >>"house/$1"; }
+
+add gen/core/grow.c '#include "net/optimize.h"'
+finds "an include of a room below" 'gen/core/grow.c includes net/optimize.h: core may not' gen/core/grow.c
+add gen/mesh/coarsen.h '#include "mesh/offset.h"'
+add gen/mesh/offset.h '#include "mesh/coarsen.h"'
+finds "two headers that include each other" 'a circle: mesh/coarsen.h -> mesh/offset.h -> mesh/coarsen.h' gen/mesh/coarsen.h gen/mesh/offset.h
+mkdir house/gen/extras && add gen/extras/extra.c '/* Extra. */'
+finds "a file in a folder that is no room" 'gen/extras/extra.c lies in no room of the table' gen/extras/extra.c
+add gen/cli/main.c '#include "core/text.h"'
+finds "a verb that includes more than the face" 'gen/cli/main.c includes core/text.h: cli may not' gen/cli/main.c
+add gen/mesh/bare.c 'int lam_bare;'
+finds "a file that says nothing about itself" 'gen/mesh/bare.c does not open with a comment' gen/mesh/bare.c
+add gen/mesh/wide.c '/* Wide. */' "$(printf '/* %095d */' 0)"
+finds "a line of 101 columns" 'gen/mesh/wide.c:2 has over 100 columns' gen/mesh/wide.c
+add gen/mesh/talk.c '/* Talks. */' '#include <stdio.h>' 'int lam_talk(void) { return printf("hello"); }'
+finds "a printf where nothing is printed" 'gen/mesh/talk.c calls printf' gen/mesh/talk.c
+add gen/mesh/sparse.c '/* Sparse. */' '#include <cholmod.h>'
+finds "an outside library out of its place" 'gen/mesh/sparse.c includes cholmod.h: not its business' gen/mesh/sparse.c
+add gen/mesh/optimize.c '/* Again. */'
+finds "two files of one name" 'gen/net/optimize.c and gen/mesh/optimize.c have the same name' gen/mesh/optimize.c
+
+# What no include shows: a declaration of one's own.
+called=$(nm copy/build/obj/gen/net/optimize.o | awk '$2 == "T" { print $3; exit }')
+printf '%s\n' '/* Calls. */' "int $called(void);" 'int lam_caller(void);' "int lam_caller(void) { return $called(); }" >copy/gen/mesh/caller.c
+make_copy build/obj/gen/mesh/caller.o >log 2>&1 || sed 's/^/# /' log
+(cd copy && cp -a --parents gen/mesh/caller.c build/obj/gen/mesh/caller.o "$house")
+rm copy/gen/mesh/caller.c copy/build/obj/gen/mesh/caller.o
+finds "a call of a room below without its header" "gen/mesh/caller.c calls $called of net, which stands below it" gen/mesh/caller.c build/obj/gen/mesh/caller.o
+
+sed -i -E 's/^(mesh +: )/\1net /' house/tests/layers
+try perl house/tests/layers
+ok "tests/layers finds a row of its own table that names a room below it" broken 'the table: mesh names net, which does not stand above it'
+echo "1..$number"

@@ -5,24 +5,28 @@
 #include "fab_fixture.h"
 #include "tests/unit/asserts.h"
 
-/* ---- six rhombi of two by two faces around a vertex, all in a plane ---- */
+/* ---- six rhombi of n by n faces around a vertex, all in a plane ---- */
 
-/* Vertex 0 is the middle; sector s has the directions at 60 s and 60 (s + 1) degrees. */
-static lam_mesh star(lam_arena *arena, double edge) {
-  enum { n = 2 };
-  lam_mesh mesh = {1, LAM_NEW(arena, lam_vec3, 1 + 6 * n * (n + 1)), 0, NULL};
-  mesh.faces = (int(*)[4])lam_arena_alloc(arena, 6 * n * n, sizeof *mesh.faces);
-  int index[6][n + 1][n + 1];
+enum { largest_star = 3 };
+
+/* Sector s has the directions at 60 s and 60 (s + 1) degrees. The middle is the first vertex,
+ * and the lines that reach it begin there; or the last one, and they end there. */
+static lam_mesh star(lam_arena *arena, int n, double edge, bool last) {
+  int count = 1 + 6 * n * (n + 1), next = 1, index[6][largest_star + 1][largest_star + 1];
+  lam_mesh mesh = {count, LAM_NEW(arena, lam_vec3, count), 0, NULL};
+  mesh.faces = (int(*)[4])lam_arena_alloc(arena, (size_t)(6 * n * n), sizeof *mesh.faces);
   for (int s = 0; s < 6; s++)
     for (int a = 1; a <= n; a++)
       for (int b = 0; b <= n; b++) {
         double t = s * LAM_PI / 3, u = t + LAM_PI / 3;
-        index[s][a][b] = mesh.vertex_count;
-        mesh.vertices[mesh.vertex_count++] =
+        index[s][a][b] = last ? count - 1 - next : next;
+        mesh.vertices[index[s][a][b]] =
             lam_v3(edge * (a * cos(t) + b * cos(u)), edge * (a * sin(t) + b * sin(u)), 0);
+        next++;
       }
   for (int s = 0; s < 6; s++)
-    for (int b = 0; b <= n; b++) index[s][0][b] = b ? index[(s + 1) % 6][b][0] : 0;
+    for (int b = 0; b <= n; b++)
+      index[s][0][b] = b ? index[(s + 1) % 6][b][0] : last ? count - 1 : 0;
   for (int s = 0; s < 6; s++)
     for (int a = 0; a < n; a++)
       for (int b = 0; b < n; b++) {
@@ -37,8 +41,10 @@ static lam_mesh star(lam_arena *arena, double edge) {
  * each other from w / tan 30 on, and the clearance more is kept. Sheets of a pair stand 12.5 mm
  * beside. */
 static void lamellas_end_short_of_an_irregular_vertex(void **state) {
-  lam_mesh mesh = star(*state, 1);
-  for (int pair = 0; pair < 2; pair++) {
+  for (int k = 0; k < 4; k++) {
+    int pair = k % 2;
+    lam_mesh mesh = star(*state, 2, 1, k / 2);
+    int middle = k / 2 ? mesh.vertex_count - 1 : 0;
     lam_workshop shop = fixture_workshop(*state, &mesh);
     lam_lamella_keys keys = fixture_keys();
     keys.pair = pair * .025;
@@ -48,10 +54,10 @@ static void lamellas_end_short_of_an_irregular_vertex(void **state) {
     int ends = 0;
     for (int i = 0; i < shop.lamella_grid->strip_count; i++) {
       const lam_sheet_strip *strip = &shop.lamella_grid->strips[i];
-      for (int k = 0; k < strip->station_count; k++) {
-        const lam_station *q = &strip->stations[k];
+      for (int j = 0; j < strip->station_count; j++) {
+        const lam_station *q = &strip->stations[j];
         if (lam_length(q->x) > .2) continue;
-        assert_true(k == 0 || k == strip->station_count - 1);
+        assert_int_equal(j, k / 2 ? strip->station_count - 1 : 0);
         assert_int_equal(q->partner, -1);
         assert_near(lam_length(q->x), hypot(back, pair * .0125), 1e-12);
         assert_near(fabs(lam_dot(q->x, q->t)), back, 1e-12);
@@ -59,7 +65,7 @@ static void lamellas_end_short_of_an_irregular_vertex(void **state) {
         assert_near(lam_dot(q->x, left), strip->offset, 1e-12);
         /* their line reaches the middle */
         const lam_polyline *axis = &shop.lamella_grid->axes[strip->group];
-        assert_int_equal(axis->vertices[k ? axis->count - 1 : 0], 0);
+        assert_int_equal(axis->vertices[j ? axis->count - 1 : 0], middle);
         ends++;
       }
     }
@@ -71,19 +77,45 @@ static void lamellas_end_short_of_an_irregular_vertex(void **state) {
 
 /* Ending 24.1 mm short takes more than .4 of edges of 60 mm, and less of edges of 61 mm. */
 static void irregular_vertices_need_long_edges(void **state) {
-  for (int k = 0; k < 2; k++) {
-    lam_mesh mesh = star(*state, k ? .061 : .06);
+  static const double edges[] = {.06, .06, .061};
+  for (int k = 0; k < 3; k++) {
+    lam_mesh mesh = star(*state, 2, edges[k], k == 1);
     lam_workshop shop = fixture_workshop(*state, &mesh);
     lam_lamella_keys keys = fixture_keys();
     keys.pair = .025;
     fixture_make(&shop, "lamella", &keys);
-    if (k)
-      assert_true(!shop.errors->first || !strstr(shop.errors->first->text, "have to end"));
-    else
-      assert_string_equal(
-          shop.errors->first->text,
-          "at net vertex 1 lamellas have to end 24.1 mm short to clear each other, and the edge "
-          "there is 60.0 mm long: take a coarser net or thinner lamellas");
+    const lam_error *error = shop.errors->first;
+    if (k == 2) {
+      assert_true(!error || !strstr(error->text, "have to end"));
+      continue;
+    }
+    assert_int_equal(shop.errors->count, 1);
+    assert_string_equal(
+        error->text,
+        lam_arena_printf(
+            *state,
+            "at net vertex %d lamellas have to end 24.1 mm short to clear each other, and the edge "
+            "there is 60.0 mm long: take a coarser net or thinner lamellas",
+            k ? mesh.vertex_count : 1));
+  }
+}
+
+/* Three lines lie between the middle and the boundary. Every fourth line is in order with the
+ * middle or two lines beside it: the boundary is one line away from a lamella either way, and so
+ * the lines to the middle carry them. */
+static void lines_to_an_irregular_vertex_carry(void **state) {
+  for (int last = 0; last < 2; last++) {
+    lam_mesh mesh = star(*state, 3, 1, last);
+    lam_workshop shop = fixture_workshop(*state, &mesh);
+    int middle = last ? mesh.vertex_count - 1 : 0;
+    for (int family = 0; family < 2; family++) {
+      const bool *on = lam_lamella_select(*state, shop.net, family, 4, true);
+      for (int i = 0; i < shop.net->polyline_count; i++) {
+        const lam_polyline *line = &shop.net->polylines[i];
+        bool reaches = line->vertices[last ? line->count - 1 : 0] == middle;
+        assert_int_equal(on[i], reaches && line->family == family);
+      }
+    }
   }
 }
 
@@ -225,6 +257,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       TEST(lamellas_end_short_of_an_irregular_vertex),
       TEST(irregular_vertices_need_long_edges),
+      TEST(lines_to_an_irregular_vertex_carry),
       TEST(rings_are_cut_between_two_nodes),
       TEST(every_kth_line_carries),
       TEST(strips_are_equal_both_ways),

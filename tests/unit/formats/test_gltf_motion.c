@@ -9,14 +9,14 @@ extern const lam_format lam_format_animation, lam_format_plot_gltf;
 
 /* A square in z = 0, folded up along its first side, then turned over; its normals are +z, -y, -z
  * (the cross product of the diagonals). Vertex 4 has no face. */
-static const lam_vec3 flat[5] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}},
-                      wall[5] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {9, 9, 9}},
-                      over[5] = {{0, 0, 0}, {1, 0, 0}, {1, -1, 0}, {0, -1, 0}, {9, 9, 9}};
+static const lam_vec3 flat[5] = {{3, 5, 7}, {4, 5, 7}, {4, 6, 7}, {3, 6, 7}, {9, 9, 9}},
+                      wall[5] = {{3, 5, 7}, {4, 5, 7}, {4, 5, 8}, {3, 5, 8}, {9, 9, 9}},
+                      over[5] = {{3, 5, 7}, {4, 5, 7}, {4, 4, 7}, {3, 4, 7}, {9, 9, 9}};
 static int square[1][4] = {{0, 1, 2, 3}};
 static int side[2] = {0, 3};
 static const lam_polyline line = {0, false, 2, side};
 
-static const double at_first[15] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 9, 9, 9},
+static const double at_first[15] = {3, 5, 7, 4, 5, 7, 4, 6, 7, 3, 6, 7, 9, 9, 9},
                     up[15] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
                     to_wall[15] = {0, 0, 0, 0, 0, 0, 0, -1, 1, 0, -1, 1, 0, 0, 0},
                     to_over[15] = {0, 0, 0, 0, 0, 0, 0, -2, 0, 0, -2, 0, 0, 0, 0},
@@ -126,7 +126,7 @@ static void lines_may_be_missing(void **state) {
 /* ---- color maps ---- */
 
 /* Two quads side by side, the second one upright: normals +z and -x. */
-static lam_vec3 bent[6] = {{0, 0, 1}, {2, 0, 1}, {2, 0, 3}, {0, 1, 1}, {2, 1, 1}, {2, 1, 3}};
+static lam_vec3 bent[6] = {{1, 4, 1}, {3, 4, 1}, {3, 4, 3}, {1, 5, 1}, {3, 5, 1}, {3, 5, 3}};
 static int two[2][4] = {{0, 1, 4, 3}, {1, 2, 5, 4}};
 static const lam_vec3 normals[6] = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0},
                                     {0, 0, 1}, {0, 0, 0}, {-1, 0, 0}};
@@ -145,7 +145,7 @@ static void assert_colors(const scene *s, const lam_map *map, const int *of, int
 }
 
 /* Values on vertices: faces share the net's vertices. The layout lies a tenth of the net's width
- * (2) beside it: its leftmost point at x = 2.2, its lowest at the net's lowest y, on the net's
+ * (2) beside it: its leftmost point at x = 3.2, its lowest at the net's lowest y, on the net's
  * lowest z. A normal of zero looks up. */
 static void vertices_have_colors(void **state) {
   static const double values[6] = {0, 1, 2, 3, 4, NAN};
@@ -157,8 +157,8 @@ static void vertices_have_colors(void **state) {
   assert_int_equal(lam_format_plot_gltf.count(&model), 1);
   assert_string_equal(text_path(*state, &lam_format_plot_gltf, &model, 0), "plots/height.glb");
   scene s = read_scene(*state, &lam_format_plot_gltf, &model, 0);
-  static const double at[36] = {0,   0, 1, 2,   0, 1, 2,   0, 3, 0,   1, 1, 2,   1, 1, 2,   1, 3,
-                                2.2, 0, 1, 4.2, 0, 1, 6.2, 0, 1, 2.2, 1, 1, 4.2, 1, 1, 6.2, 1, 1};
+  static const double at[36] = {1,   4, 1, 3,   4, 1, 3,   4, 3, 1,   5, 1, 3,   5, 1, 3,   5, 3,
+                                3.2, 4, 1, 5.2, 4, 1, 7.2, 4, 1, 3.2, 5, 1, 5.2, 5, 1, 7.2, 5, 1};
   static const double to[36] = {0, 0, 1, 0, 1, 0, -1, 0, 0, 0, 0, 1, 0, 0, 1, -1, 0, 0,
                                 0, 0, 1, 0, 0, 1, 0,  0, 1, 0, 0, 1, 0, 0, 1, 0,  0, 1};
   const json_t *p = primitive_of(&s, 0);
@@ -185,8 +185,8 @@ static void faces_have_colors(void **state) {
                  NULL,          {0, 4}};
   lam_model model = {.name = "n", .title = "n", .net = &net, .map_count = 1, .maps = &map};
   scene s = read_scene(*state, &lam_format_plot_gltf, &model, 0);
-  static const double at[24] = {0, 0, 1, 2, 0, 1, 2, 1, 1, 0, 1, 1,
-                                2, 0, 1, 2, 0, 3, 2, 1, 3, 2, 1, 1};
+  static const double at[24] = {1, 4, 1, 3, 4, 1, 3, 5, 1, 1, 5, 1,
+                                3, 4, 1, 3, 4, 3, 3, 5, 3, 3, 5, 1};
   static const double to[24] = {0,  0, 1, 0,  0, 1, 0,  0, 1, 0,  0, 1,
                                 -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0};
   const json_t *p = primitive_of(&s, 0);
@@ -210,7 +210,7 @@ static void edges_have_colors(void **state) {
                  NULL,          {0, 0}};
   lam_model model = {.name = "n", .title = "n", .net = &net, .map_count = 1, .maps = &map};
   scene s = read_scene(*state, &lam_format_plot_gltf, &model, 0);
-  static const double at[18] = {0, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 3, 2, 1, 3, 2, 0, 3};
+  static const double at[18] = {1, 4, 1, 3, 4, 1, 3, 4, 1, 3, 4, 3, 3, 5, 3, 3, 4, 3};
   const json_t *p = primitive_of(&s, 0);
   assert_floats(&s, attribute(p, "POSITION"), "VEC3", 6, at, "positions");
   assert_int_equal(attribute(p, "NORMAL"), -1);

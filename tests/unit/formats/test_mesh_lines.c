@@ -149,6 +149,31 @@ static void stl_is_told_by_its_size(void **state) {
   }
 }
 
+/* Reading text stops at the first message, though more is wrong behind it. */
+static void stl_stops_at_the_first_message(void **state) {
+#define REST "outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nbad\n"
+  static const char *const cases[][2] = {
+      {"solid x\nfacet normal 0 0\n" REST, "normal: 2 numbers given, 3 expected"},
+      {"solid x\nfacet abnormal 0 0 1\n" REST, "\"abnormal\" given, \"normal\" expected"},
+      {"solid x\nfacet normal 0 0 1\nouter hoop\nvertex 0\nbad\n",
+       "\"hoop\" given, \"loop\" expected"},
+      {"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\nvertex x 0 0\nbad\n",
+       "vertex: 2 numbers given, 3 expected"},
+      {"solid x\nbad\nbad\n", "\"bad\" given, \"facet\" or \"endsolid\" expected"},
+      {"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+       "0\nend\nbad",
+       "\"end\" given, \"endloop\" expected"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    lam_errors errors = {.arena = *state};
+    lam_trimesh mesh;
+    assert_false(lam_format_stl.read_triangles(*state, cases[i][0], strlen(cases[i][0]),
+                                               (lam_location){.file = "x"}, &errors, &mesh));
+    assert_string_equal(errors.first->text, cases[i][1]);
+    assert_int_equal(errors.count, 1);
+  }
+}
+
 /* ---- splines ---- */
 
 static const double knots_u[] = {0, 0, 0, 1, 1, 1}, knots_v[] = {0, 0, 2, 2},
@@ -283,11 +308,11 @@ static void limits_of_words_are_kept(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEXT_TEST(nets_are_listed),          TEXT_TEST(states_are_listed),
-      TEXT_TEST(parts_are_groups),         TEXT_TEST(stl_has_its_bytes),
-      TEXT_TEST(stl_is_told_by_its_size),  TEXT_TEST(surface_obj_is_listed),
-      TEXT_TEST(long_surfaces_are_broken), TEXT_TEST(surface_json_is_listed),
-      TEXT_TEST(limits_of_words_are_kept),
+      TEXT_TEST(nets_are_listed),         TEXT_TEST(states_are_listed),
+      TEXT_TEST(parts_are_groups),        TEXT_TEST(stl_has_its_bytes),
+      TEXT_TEST(stl_is_told_by_its_size), TEXT_TEST(stl_stops_at_the_first_message),
+      TEXT_TEST(surface_obj_is_listed),   TEXT_TEST(long_surfaces_are_broken),
+      TEXT_TEST(surface_json_is_listed),  TEXT_TEST(limits_of_words_are_kept),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

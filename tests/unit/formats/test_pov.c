@@ -1,6 +1,7 @@
 /* The scenes of POV-Ray, line by line: parts with instances, a net, prints. All numbers are those
  * of the hand-made models below; what is computed of them is said beside them. */
 #include "core/numbers.h"
+#include "formats/identifier.h"
 #include "formats/print.h"
 #include "tests/unit/text_fixture.h"
 
@@ -289,6 +290,14 @@ static void normals_of_prints_are_weighted_by_area(void **state) {
 
 /* ---- what stands beside a scene ---- */
 
+/* Letters and digits of ASCII stay, every other byte becomes an underscore: also those that stand
+ * beside them in the table of characters. */
+static void names_become_identifiers(void **state) {
+  lam_text text = {.arena = *state};
+  lam_identifier_add(&text, "azAZ09-_ @[`{/:\u00e9");
+  assert_string_equal(text.data, "azAZ09___________");
+}
+
 static void files_beside_the_scene_are_named(void **state) {
   static const char *const names[] = {"pov/render.ini", "pov/materials.inc", "pov/camera.inc",
                                       "pov/light.inc",  "pov/sky.inc",       "pov/ground.inc",
@@ -311,6 +320,7 @@ int main(void) {
       TEXT_TEST(a_side_of_no_length_has_no_line),
       TEXT_TEST(prints_are_meshes_with_a_picture),
       TEXT_TEST(normals_of_prints_are_weighted_by_area),
+      TEXT_TEST(names_become_identifiers),
       TEXT_TEST(files_beside_the_scene_are_named),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

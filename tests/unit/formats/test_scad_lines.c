@@ -124,6 +124,18 @@ static void the_main_file_has_all_settings(void **state) {
   assert_ptr_equal(strstr(bare, "// thing\n// Written by"), bare);
 }
 
+/* Whichever way a part is longest: 0.9 m over four is 225 mm, which become 230. */
+static void the_longest_way_counts(void **state) {
+  for (int axis = 0; axis < 3; axis++) {
+    fixture f;
+    fill(&f);
+    lam_vec3 ends[2] = {{0, 0, 0}, {axis == 0 ? .9 : .1, axis == 1 ? .9 : .1, axis == 2 ? .9 : .1}};
+    f.parts[0].solid.vertices = ends;
+    f.model.part_count = 1;
+    assert_holds(text_of(*state, &lam_format_scad, &f.model, 0), "\nraise = 230; // [0:10:920]\n");
+  }
+}
+
 /* ---- the data file ---- */
 
 #define PANEL(name) "[\"" name "\", -1, [\n[2.3]]],\n"
@@ -173,6 +185,7 @@ static void templates_beside_it_are_named(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       TEXT_TEST(the_main_file_has_all_settings),
+      TEXT_TEST(the_longest_way_counts),
       TEXT_TEST(the_data_file_has_all_numbers),
       TEXT_TEST(templates_beside_it_are_named),
   };
