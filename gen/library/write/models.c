@@ -119,8 +119,9 @@ static lam_status encode(lam_session *session, const lam_model *model, const cha
   }
 
   const lam_format *f = lam_format_named(format);
-  f->path(model, i, &name);
-  lam_status status = f->write(model, i, &content);
+  const lam_model *shown = model->report ? without_times(session->arena, model) : model;
+  f->path(shown, i, &name);
+  lam_status status = f->write(shown, i, &content);
   if (status != LAM_OK)
     lam_error_add(&session->errors, nowhere, NULL, "the library behind %s failed", format);
 
