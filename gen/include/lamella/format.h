@@ -60,8 +60,8 @@ typedef struct lam_bytes {
  * by another program (png), or does not exist. Any thread. */
 LAM_API int lam_model_file_count(const lam_model *model, const char *format);
 /* File i of a format, 0 <= i < lam_model_file_count. Nothing is written to disk, and templates that
- * the file needs beside it are not given. The same bytes every time: the report has no seconds. *file
- * is meaningful with LAM_OK.
+ * the file needs beside it are not given. The same bytes every time: the report has no seconds.
+ * *file is meaningful with LAM_OK.
  *
  *   LAM_BAD_INPUT  there is no such file
  *   LAM_FAILED     the library behind the format failed
