@@ -350,7 +350,8 @@ static void a_surface_of_ones_own_has_keys_and_a_net(void **state) {
   assert_true(jet.x.z == .5 * (.25 + 4) && jet.uu.z == 1);
 
   const lam_model *model = built(session, "{lamella: 1, name: b, surface: {kind: bowl, u: [-1, 1], "
-                                          "v: [-1, 1]}, net: {kind: planar-quads, grid: [6, 6], from: {lines: natural}}}");
+                                          "v: [-1, 1]}, net: {kind: planar-quads, grid: [6, 6], "
+                                          "from: {lines: natural}}}");
   assert_int_equal(model->net->vertex_count, 49);
   const char *page, *list;
   assert_int_equal(lam_reference_page(session, "bowl", &page), LAM_OK);

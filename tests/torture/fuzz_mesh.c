@@ -3,7 +3,8 @@
  *
  * As a fuzzer:
  *   clang -g -O1 -std=c11 -D_GNU_SOURCE -fsanitize=fuzzer,address,undefined -Igen -I.
- * tests/torture/fuzz_mesh.c \ formats/mesh/stl.c formats/mesh/obj.c formats/scan.c build/liblamella.a -lgmp
+ * tests/torture/fuzz_mesh.c \ formats/mesh/stl.c formats/mesh/obj.c formats/scan.c \
+ * build/liblamella.a -lgmp
  * -lmpfr -lstdc++ -lm -o fuzz_mesh
  *   ./fuzz_mesh -max_len=4096 corpus
  * As a test, with -DLAM_FUZZ_DRIVER: mutates small files in a fixed sequence.

@@ -6,7 +6,8 @@
  *   clang -g -O1 -std=c11 -D_GNU_SOURCE -fsanitize=fuzzer,address,undefined -Igen -I.
  * tests/torture/fuzz_surface.c \
  *     formats/step*.c formats/iges*.c formats/mesh/obj.c formats/surface_*.c formats/spline/shell.c
- * formats/spline/spline.c \ formats/spline/curves.c formats/scan.c build/liblamella.a -ljansson -lstdc++ -lm -o
+ * formats/spline/spline.c \ formats/spline/curves.c formats/scan.c \
+ * build/liblamella.a -ljansson -lstdc++ -lm -o
  * fuzz_surface
  *   ./fuzz_surface -max_len=8192 corpus
  * As a test, with -DLAM_FUZZ_DRIVER: mutates small files in a fixed sequence.

@@ -96,7 +96,8 @@ static void smoothing_helps_planar_quads(void **state) {
   assert_true(shortest[1] > 1.5 * shortest[0]);
 }
 
-/* Handles that cannot be reached, constraints that contradict each other: a result with a reason, never
+/* Handles that cannot be reached, constraints that contradict each other: a result with a
+ * reason, never
  * NaN, within the limit of steps. */
 static void contradictions_end_with_a_reason(void **state) {
   net_fixture *f = *state;
