@@ -104,6 +104,7 @@ static void closed_surfaces_say_so(void **state) {
     lam_model model = {.name = "t", .version = "0", .surface_count = 1, .surfaces = &s[i]};
     const char *text = text_of(*state, &lam_format_iges, &model, 0);
     assert_holds(text, heads[i]);
+    assert_holds(text, "126,2,1,0,1,1,0,");       /* a side that is a ring is closed */
     assert_holds(text, "SIDE       0D      8\n"); /* three sides, not four */
     assert_lacks(text, "D      9\n");
   }
@@ -259,6 +260,22 @@ static void arcs_and_weights_are_read(void **state) {
   assert_string_equal(list.items[3].name, "D7");
 }
 
+/* A surface that is long and narrow, in few letters: no more is asked for than its points. */
+static void narrow_surfaces_come_back(void **state) {
+  enum { n = 60 };
+  double knots[n + 2];
+  lam_vec3 x[2 * n];
+  for (int i = 0; i < n + 2; i++) knots[i] = i == 0 ? 0 : i > n ? n - 1 : i - 1;
+  for (int i = 0; i < 2 * n; i++) x[i] = lam_v3(i / 2 * 1e-3, i % 2 * 1e-3, 0);
+  lam_spline_surface s = {"s", {1, 1}, {n, 2}, {knots, straight}, x, NULL};
+  lam_model model = {.name = "t", .version = "0", .surface_count = 1, .surfaces = &s};
+  lam_spline_list list =
+      read_back(*state, &lam_format_iges, written(*state, &lam_format_iges, &model));
+  assert_int_equal(list.items[0].count[0], n);
+  for (int i = 0; i < 2 * n; i++)
+    assert_near(lam_distance(list.items[0].points[i], x[i]), 0, 1e-15);
+}
+
 /* Curves in the parameters of a surface are none in space: those of 142 (with the constituents of a
  * composite curve, 102), of 141, and those whose use flag is 5. */
 static void plane_curves_are_left_out(void **state) {
@@ -289,6 +306,11 @@ static void bad_numbers_are_refused(void **state) {
       {"126,1,1,0,0,1,-1,0,0,1,1,1,1,0,0,0,1,0,0,0,1;", RANGE},
       {"126,1,1,0,0,1,0,0,0,1,1,1,1,0,0,0,1,0,0;", "parameters are missing"},
       {"126,1,1,0,0,1,0,0,0,1,1,1,0,0,0,0,1,0,0,0,1;", "it has a weight that is not positive"},
+      {"126,1,1,0,0,1,0,0,0,1,1,0,0,0,0,0,1,0,0,0,1;", "it has a weight that is not positive"},
+      {"126,1;", "parameters are missing"},
+      {"128,1,1;", "parameters are missing"},
+      {"128,1,1,1,1,,,1,,,0,0,1,1,0,0,1,1,0,0,0,0,,,,2,,,,2,,2,2,,0,1,0,1;",
+       "it has a weight that is not positive"},
       {"128,0,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1;", RANGE},
       {"128,1,0,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1;", RANGE},
       {"128,1,1,0,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1;", RANGE},
@@ -366,6 +388,7 @@ int main(void) {
       TEXT_TEST(bad_transformations_are_refused),
       TEXT_TEST(polylines_have_three_forms),
       TEXT_TEST(arcs_and_weights_are_read),
+      TEXT_TEST(narrow_surfaces_come_back),
       TEXT_TEST(plane_curves_are_left_out),
       TEXT_TEST(bad_numbers_are_refused),
       TEXT_TEST(boundaries_inside_trim),

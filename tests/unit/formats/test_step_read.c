@@ -85,6 +85,33 @@ static void there_is_one_unit_of_length(void **state) {
                       "two units of length, 1 m and 0.001 m; one expected");
 }
 
+/* Parameters of circles are in the unit of plane angles: a quarter turn is 90 degrees, or pi / 2
+ * where no unit that is known is given. */
+static void angles_have_units(void **state) {
+  static const char *const cases[][2] = {
+      {"(CONVERSION_BASED_UNIT('DEGREE',#92)NAMED_UNIT(*)PLANE_ANGLE_UNIT())", "90."},
+      {"(CONVERSION_BASED_UNIT('DEGREE',#94)NAMED_UNIT(*)PLANE_ANGLE_UNIT())", "90."},
+      {"(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))", "1.5707963267948966"},
+      {"(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT(.MILLI.,.RADIAN.))", "1570.7963267948966"},
+      {"(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.STERADIAN.))", "1.5707963267948966"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    lam_spline_curve c = curve_of(
+        *state,
+        lam_arena_printf(
+            *state,
+            "#81=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#91)));\n#91=%s;\n"
+            "#92=PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.017453292519943295),#93);\n"
+            "#93=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"
+            "#94=MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.017453292519943295),#93);\n"
+            "#30=AXIS2_PLACEMENT_3D('',#1,$,$);\n#31=CIRCLE('',#30,2.);\n"
+            "#32=TRIMMED_CURVE('',#31,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(%s)),.T.,"
+            ".PARAMETER.);",
+            cases[i][0], cases[i][1]));
+    assert_points(&c, 3, (lam_vec3[3]){{2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, cases[i][0]);
+  }
+}
+
 /* ---- circles and ellipses ---- */
 
 /* A quarter turn of radius 2 around the origin, from x to y of its position: control points 2 x,
@@ -275,11 +302,17 @@ static void curves_that_serve_others_are_left_out(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEST(units_of_length_are_known),           TEST(unknown_units_are_refused),
-      TEST(there_is_one_unit_of_length),         TEST(positions_have_axes),
-      TEST(arcs_run_between_their_ends),         TEST(parallel_axes_are_refused),
-      TEST(knots_that_are_not_listed_are_known), TEST(splines_are_cut),
-      TEST(polylines_have_whole_knots),          TEST(curves_that_serve_others_are_left_out),
+      TEST(units_of_length_are_known),
+      TEST(unknown_units_are_refused),
+      TEST(there_is_one_unit_of_length),
+      TEST(angles_have_units),
+      TEST(positions_have_axes),
+      TEST(arcs_run_between_their_ends),
+      TEST(parallel_axes_are_refused),
+      TEST(knots_that_are_not_listed_are_known),
+      TEST(splines_are_cut),
+      TEST(polylines_have_whole_knots),
+      TEST(curves_that_serve_others_are_left_out),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
