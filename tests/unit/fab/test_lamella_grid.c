@@ -100,19 +100,35 @@ static void irregular_vertices_need_long_edges(void **state) {
   }
 }
 
-/* Three lines lie between the middle and the boundary. Every fourth line is in order with the
- * middle or two lines beside it: the boundary is one line away from a lamella either way, and so
- * the lines to the middle carry them. */
+/* Makes the middle the second vertex, after the tip of a sector: lines begin there still, but
+ * are not the first ones. */
+static void put_tip_first(lam_mesh *mesh, int tip) {
+  int to[3][2] = {{0, 1}, {tip, 0}, {1, tip}};
+  lam_vec3 at[3] = {mesh->vertices[0], mesh->vertices[tip], mesh->vertices[1]};
+  for (int i = 0; i < 3; i++) mesh->vertices[to[i][1]] = at[i];
+  for (int k = 0; k < 4 * mesh->face_count; k++) {
+    int *v = &mesh->faces[k / 4][k % 4], was = *v;
+    for (int i = 0; i < 3; i++)
+      if (was == to[i][0]) *v = to[i][1];
+  }
+}
+
+/* Two lines lie between the middle and the boundary. Every fourth line is in order with the middle,
+ * or two lines beside it: the boundary is one line away from a lamella either way, and so the lines
+ * to the middle carry them. */
 static void lines_to_an_irregular_vertex_carry(void **state) {
-  for (int last = 0; last < 2; last++) {
-    lam_mesh mesh = star(*state, 3, 1, last);
+  for (int k = 0; k < 3; k++) {
+    lam_mesh mesh = star(*state, 3, 1, k == 1);
+    int middle = k == 0 ? 0 : k == 1 ? mesh.vertex_count - 1 : 1;
+    if (k == 2) put_tip_first(&mesh, 12); /* a = b = 3 in the first sector */
+    assert_near(lam_length(mesh.vertices[middle]), 0, 0);
+    if (k == 2) assert_near(lam_length(mesh.vertices[0]), 3 * sqrt(3), 1e-12);
     lam_workshop shop = fixture_workshop(*state, &mesh);
-    int middle = last ? mesh.vertex_count - 1 : 0;
     for (int family = 0; family < 2; family++) {
       const bool *on = lam_lamella_select(*state, shop.net, family, 4, true);
       for (int i = 0; i < shop.net->polyline_count; i++) {
         const lam_polyline *line = &shop.net->polylines[i];
-        bool reaches = line->vertices[last ? line->count - 1 : 0] == middle;
+        bool reaches = line->vertices[k == 1 ? line->count - 1 : 0] == middle;
         assert_int_equal(on[i], reaches && line->family == family);
       }
     }
@@ -150,6 +166,34 @@ static void rings_are_cut_between_two_nodes(void **state) {
     assert_near(q->angle, LAM_PI / 2, 1e-12);
   }
   assert_near(ring->length, 12 * 2 * lam_length(a) * sin(LAM_PI / 12) - .004, 1e-12);
+}
+
+/* On a cone: the normal at the cut lies between those at both ends of the edge, as the place
+ * does, and the direction is the edge made square to it. */
+static void rings_on_a_cone_are_cut_upright(void **state) {
+  lam_mesh mesh = lam_mesh_grid(*state, 12, 2, true, false);
+  for (int i = 0; i < 24; i++) {
+    double r = 3 - i % 2, t = i / 2 * LAM_PI / 6;
+    mesh.vertices[i] = lam_v3(r * cos(t), r * sin(t), r);
+  }
+  lam_workshop shop = fixture_workshop(*state, &mesh);
+  lam_lamella_keys keys = fixture_keys();
+  keys.joint.clearance = .004;
+  fixture_make(&shop, "lamella", &keys);
+  const lam_sheet_strip *ring = &shop.lamella_grid->strips[0];
+  const int *v = shop.lamella_grid->axes[0].vertices;
+  lam_vec3 a = shop.net->mesh.vertices[v[11]], b = shop.net->mesh.vertices[v[0]];
+  double length = lam_distance(a, b);
+  for (int end = 0; end < 2; end++) {
+    const lam_station *q = &ring->stations[end ? 13 : 0];
+    double along = .5 + (end ? -.002 : .002) / length;
+    lam_vec3 m = lam_unit(lam_mix(shop.normals[v[11]], shop.normals[v[0]], along));
+    lam_vec3 t = lam_sub(b, a);
+    t = lam_unit(lam_along(t, -lam_dot(t, m), m));
+    assert_near(lam_distance(q->m, m), 0, 1e-12);
+    assert_near(lam_distance(q->t, t), 0, 1e-12);
+    assert_near(lam_distance(q->x, lam_mix(a, b, along)), 0, 1e-12);
+  }
 }
 
 /* ---- which lines ---- */
@@ -259,6 +303,7 @@ int main(void) {
       TEST(irregular_vertices_need_long_edges),
       TEST(lines_to_an_irregular_vertex_carry),
       TEST(rings_are_cut_between_two_nodes),
+      TEST(rings_on_a_cone_are_cut_upright),
       TEST(every_kth_line_carries),
       TEST(strips_are_equal_both_ways),
       TEST(a_slotted_strip_is_a_row_of_cells),

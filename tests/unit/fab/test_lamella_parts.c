@@ -96,6 +96,10 @@ static void records_have_a_row_per_station(void **state) {
   assert_near(first[9], 0, 0);
   assert_near(first[10], -1, 0);
   assert_near(first[11], 0, 0);
+  /* B01a meets A01a and A01b, the parts with the numbers 0 and 1, in either order */
+  const double *other = shop.parts[6].record->values;
+  assert_near(other[14 + 10] + other[2 * 14 + 10], 1, 0);
+  assert_near(other[14 + 10] * other[2 * 14 + 10], 0, 0);
 }
 
 /* Names, kinds and decimals of the columns, and the settings: what lamella.scad reads. */

@@ -325,6 +325,20 @@ static void a_plane_sheet_is_its_own_pattern(void **state) {
   assert_near(fmod(fabs(min.y + max.y) / 2 + 1e-9, .5), .25, 1e-6);
 }
 
+/* The only vertex inside lies 0.7 m from the nearest side, whose vertices are further away. */
+static lam_vec3 off_center(double u, double v) {
+  return u == 0 && v == 0 ? lam_v3(.2, .3, 0) : lam_v3(u, v, 0);
+}
+
+static void names_keep_clear_of_sides(void **state) {
+  lam_workshop shop = shop_of(state, 3, 3, off_center);
+  make(&shop, "flat-pattern", "{marks: 0}");
+  const lam_flat *flat = shop.parts[0].flat;
+  lam_vec2 min, max;
+  lam_paths_bounds(flat->paths + 1, flat->path_count - 1, &min, &max);
+  assert_near(max.y - min.y, 4. / 3 * .7 / hypot(1, lam_lettering_width("F1", 1)), 1e-6);
+}
+
 /* A quarter of a cylinder of radius 1 m, bent from 4 mm: strained by 2e-3 at its faces. Glass bears
  * 6.4e-4 and breaks, acrylic 1.06e-2. */
 static lam_vec3 cylinder(double u, double v) { return lam_v3(sin(.6 * u), v, cos(.6 * u)); }
@@ -357,6 +371,7 @@ int main(void) {
       TEST(names_are_as_large_as_they_fit),
       TEST(plates_are_equal_however_they_lie),
       TEST(a_plane_sheet_is_its_own_pattern),
+      TEST(names_keep_clear_of_sides),
       TEST(bending_is_held_against_the_limit),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

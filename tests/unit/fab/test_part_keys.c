@@ -2,6 +2,7 @@
  * radians) and choices. That values beyond a limit are refused is tested with the keys
  * (tests/unit/design/test_keys.c). */
 #include "core/error.h"
+#include "design/design.h"
 #include "fab_fixture.h"
 #include "tests/unit/asserts.h"
 
@@ -123,8 +124,49 @@ static void keys_are_those_of_the_manual(void **state) {
   assert_int_equal(at, rows);
 }
 
+/* ---- how far a row is ---- */
+
+typedef struct told {
+  int count;
+  double last;
+} told;
+
+/* Fractions rise from 0 and stay below 1, stage by stage. */
+static void listen(void *context, const char *stage, double fraction, const char *detail) {
+  told *t = context;
+  if (!(fraction >= 0 && fraction < 1)) fail_msg("%s, %s: %g", stage, detail, fraction);
+  if (fraction == 0) t->last = 0;
+  assert_true(fraction >= t->last);
+  t->last = fraction;
+  t->count++;
+}
+
+static lam_vec3 plane(double u, double v) { return lam_v3(u, v, 0); }
+
+/* Rows of many parts tell of each: panels on 4 x 4 faces, bars and beams on 40 edges, ten
+ * lamellas. */
+static void rows_tell_how_far_they_are(void **state) {
+  static const char *const kinds[] = {"panels", "bars", "support", "lamella"};
+  static const int parts[] = {16, 40, 40, 10};
+  for (int k = 0; k < 4; k++) {
+    told heard = {0, 0};
+    const lam_progress progress = {listen, &heard};
+    lam_mesh mesh = fixture_grid(*state, 5, 5, plane);
+    lam_workshop shop = fixture_workshop(*state, &mesh);
+    shop.progress = &progress;
+    const lam_part_kind *row = (const lam_part_kind *)lam_registry_find(&lam_part_kinds, kinds[k]);
+    void *params = lam_arena_alloc(*state, 1, row->head.params_size);
+    assert_true(lam_keys_parse(*state, row->head.keys, "{}", 2, NULL, shop.errors, params));
+    row->make(&shop, params, (lam_location){"test", 1, 1});
+    assert_int_equal(shop.part_count, parts[k]);
+    assert_true(heard.count >= parts[k]);
+    lam_workshop_clash(&shop);
+  }
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(
-      keys_are_those_of_the_manual, fixture_setup, fixture_teardown)};
+#define TEST(name) cmocka_unit_test_setup_teardown(name, fixture_setup, fixture_teardown)
+  const struct CMUnitTest tests[] = {TEST(keys_are_those_of_the_manual),
+                                     TEST(rows_tell_how_far_they_are)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

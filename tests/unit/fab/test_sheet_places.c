@@ -235,6 +235,40 @@ static void reversed_sheets_keep_the_distance_too(void **state) {
   }
 }
 
+/* A strip of 6 m on an arc of radius 4 m, in sheets with room for 5 m less a kerf of 5 mm: cut
+ * at .15 of the play, a piece of 4.3965 m is left, which is 4.05 - 3.95 cos(4.3965/8) = 0.68 m
+ * high. The kerf counts sqrt(2) times where corners point askew. Where that is a millimeter too
+ * much, pieces are shortened by a tenth. */
+static void bent_pieces_leave_room_for_the_kerf(void **state) {
+  (void)state;
+  enum { n = 241 };
+  const double kerf = .005, longest = 5 - kerf, high = 4.05 - 3.95 * cos(4.3965 / 8);
+  for (int k = 0; k < 2; k++) {
+    table t = {.arena = lam_arena_new()};
+    lam_flat *flat = LAM_NEW(t.arena, lam_flat, 1);
+    lam_paths paths = {.arena = t.arena};
+    lam_vec2 edge[2 * n];
+    flat->axis = LAM_NEW(t.arena, lam_vec2, n);
+    for (int i = 0; i < n; i++) {
+      double a = 1.5 * i / (n - 1), x = sin(a), y = -cos(a);
+      flat->axis[i] = lam_v2(4 * x, 4 * y);
+      edge[i] = lam_v2(4.05 * x, 4.05 * y);
+      edge[2 * n - 1 - i] = lam_v2(3.95 * x, 3.95 * y);
+    }
+    lam_paths_add(&paths, LAM_LAYER_CUT, true, 2 * n, edge);
+    lam_flat_set_paths(flat, &paths);
+    flat->axis_count = n;
+    flat->height = .1;
+    flat->thickness = .002;
+    t.parts[0] = (lam_part){.name = "A", .material = &steel, .flat = flat};
+    double room = high + kerf * sqrt(2) + (k ? -.001 : .001), reach = k ? .9 * longest : longest;
+    lay(&t, 1, (lam_sheet_options){{5.02, room + .02}, kerf, .01, .004});
+    assert_int_equal(t.errors.count, 0);
+    assert_near(first_cut(&t, 0), 6 - reach + .15 * (2 * reach - 6), 1e-3);
+    lam_arena_free(t.arena);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(pieces_lie_where_they_fit),
@@ -243,6 +277,7 @@ int main(void) {
       cmocka_unit_test(wrong_sizes_are_told_in_numbers),
       cmocka_unit_test(splices_of_neighbors_are_staggered),
       cmocka_unit_test(reversed_sheets_keep_the_distance_too),
+      cmocka_unit_test(bent_pieces_leave_room_for_the_kerf),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -169,6 +169,57 @@ static void cells_start_where_they_can(void **state) {
   assert_int_equal(lam_skin_walk(shop.net, v, back, 2, &back), cells.cells[0].vertex[0]);
 }
 
+/* On z = u v the conormal is (-v, -u, 1), linear along the lines: over an edge of 2/3 it changes by
+ * 2/3, at all vertices of a net with lines of four vertices only. (Lengths of conormals are relaxed
+ * from estimates: within 2 %.) */
+static lam_vec3 saddle(double u, double v) { return lam_v3(u, v, u * v); }
+
+static void short_lines_have_slopes_too(void **state) {
+  lam_mesh mesh = fixture_grid(*state, 4, 4, saddle);
+  lam_workshop shop = fixture_workshop(*state, &mesh);
+  lam_skin_net cells = lam_skin_net_make(*state, shop.net, 1);
+  assert_int_equal(cells.cell_count, 9);
+  for (int v = 0; v < 16; v++)
+    for (int d = 0; d < 2; d++)
+      assert_near_named(lam_length(cells.vertices[v].slope[d]), 2. / 3, .014, "slope");
+}
+
+/* The catenoid in asymptotic parameters, p = (u + v)/2 and q = (v - u)/2. */
+static lam_vec3 catenoid(double u, double v) {
+  double p = (u + v) / 2, q = (v - u) / 2;
+  return lam_v3(cosh(p) * cos(q), cosh(p) * sin(q), p);
+}
+
+/* Half a turn about the x axis takes (u, v) to (-u, -v): slopes are as long there, also near both
+ * ends of a line, where the five vertices of a polynomial are shifted inward. */
+static void slopes_are_symmetric(void **state) {
+  lam_mesh mesh = fixture_grid(*state, 9, 9, catenoid);
+  lam_workshop shop = fixture_workshop(*state, &mesh);
+  lam_skin_net cells = lam_skin_net_make(*state, shop.net, 1);
+  for (int v = 0; v < 81; v++) {
+    const lam_vec3 *a = cells.vertices[v].slope, *b = cells.vertices[80 - v].slope;
+    double p[2] = {lam_length(a[0]), lam_length(a[1])}, q[2] = {lam_length(b[0]), lam_length(b[1])};
+    assert_near(fmax(p[0], p[1]), fmax(q[0], q[1]), 1e-9);
+    assert_near(fmin(p[0], p[1]), fmin(q[0], q[1]), 1e-9);
+  }
+}
+
+/* On a torus no line ends: cells start anywhere, and take all 6 x 4 faces one by one or by
+ * fours. */
+static void closed_nets_have_cells(void **state) {
+  for (int every = 1; every <= 2; every++) {
+    lam_mesh mesh = lam_mesh_grid(*state, 6, 4, true, true);
+    for (int i = 0; i < 24; i++) {
+      double u = i / 4 * LAM_PI / 3, v = i % 4 * LAM_PI / 2;
+      mesh.vertices[i] = lam_v3((3 + cos(v)) * cos(u), (3 + cos(v)) * sin(u), sin(v));
+    }
+    lam_workshop shop = fixture_workshop(*state, &mesh);
+    lam_skin_net cells = lam_skin_net_make(*state, shop.net, every);
+    assert_int_equal(cells.cell_count, every == 1 ? 24 : 6);
+    assert_int_equal(cells.uncovered + cells.irregular, 0);
+  }
+}
+
 /* ---- the row `skin` on the design's own surfaces ---- */
 
 typedef struct skin_keys { /* as in gen/fab/parts/skin.c */
@@ -326,6 +377,9 @@ int main(void) {
       TEST(patches_share_their_points),
       TEST(knots_may_begin_anywhere),
       TEST(cells_start_where_they_can),
+      TEST(short_lines_have_slopes_too),
+      TEST(slopes_are_symmetric),
+      TEST(closed_nets_have_cells),
       TEST(sheets_of_surfaces),
       TEST(frames_are_plates_with_a_pin),
       TEST(frames_look_outward),
