@@ -33,6 +33,11 @@ static void check_memory(lam_factor *factor) {
     lam_arena_exhausted(factor->arena);
 }
 
+/* The dense kernels' turn, in which nothing may jump. */
+static void begin(lam_factor *factor) {
+  if (!lam_kernels_begin()) lam_arena_exhausted(factor->arena);
+}
+
 /* One order only, the caller's; and LL': the L D L' that CHOLMOD takes for small systems would
  * accept an indefinite matrix. */
 static void configure(cholmod_common *common) {
@@ -65,7 +70,7 @@ lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start,
                                .dtype = CHOLMOD_DOUBLE,
                                .sorted = 1,
                                .packed = 1};
-  lam_kernels_begin();
+  begin(factor);
   factor->L = cholmod_analyze_p(&factor->A, (int *)order, NULL, 0, &factor->common);
   lam_kernels_end();
   check_memory(factor);
@@ -79,7 +84,7 @@ lam_factor *lam_factor_analyze(lam_arena *arena, int n, const int *column_start,
 /* CHOLMOD reports an indefinite matrix by the column where it stopped (minor < n). */
 bool lam_factor_refactor(lam_factor *factor, const double *values) {
   factor->A.x = (void *)values;
-  lam_kernels_begin();
+  begin(factor);
   cholmod_factorize(&factor->A, factor->L, &factor->common);
   lam_kernels_end();
   check_memory(factor);
@@ -96,7 +101,7 @@ void lam_factor_solve(lam_factor *factor, const double *b, double *x) {
                      .x = (void *)b,
                      .xtype = CHOLMOD_REAL,
                      .dtype = CHOLMOD_DOUBLE};
-  lam_kernels_begin();
+  begin(factor);
   cholmod_solve2(CHOLMOD_A, factor->L, &B, NULL, &factor->X, NULL, &factor->work_y, &factor->work_e,
                  &factor->common);
   lam_kernels_end();

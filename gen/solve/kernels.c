@@ -6,20 +6,44 @@
 #include <pthread.h>
 #include <stddef.h>
 #include <string.h>
+#include <sys/mman.h>
 
 /* From OpenBLAS; declared here because its header redefines the complex types of the C library. */
+extern void dpotrf_(const char *half, const int *n, double *a, const int *stride, int *info);
 extern char *openblas_get_corename(void);
 extern int openblas_get_num_threads(void);
 extern void openblas_set_num_threads(int threads);
 
-/* ---- settings ---- */
-
 static pthread_mutex_t turn = PTHREAD_MUTEX_INITIALIZER;
+
+/* ---- workspace ---- */
+
+/* More than the buffer that OpenBLAS maps for a thread on any processor (128 MB on x86-64). */
+enum { WORKSPACE = 144 << 20 };
+
+/* OpenBLAS maps its buffer at the first call that needs one and keeps it; where that fails it
+ * tries again without end. So it is asked for only when there is room, and once. The turn is the
+ * caller's. */
+static bool hold_workspace(void) {
+  static bool held = false;
+  if (held) return true;
+  void *room = mmap(NULL, WORKSPACE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) return false;
+  munmap(room, WORKSPACE);
+
+  double one = 1;
+  const int n = 1;
+  int info;
+  dpotrf_("L", &n, &one, &n, &info);
+  return held = true;
+}
+
+/* ---- settings ---- */
 
 /* The host's settings while it is this library's turn. */
 static int host_threads, host_levels;
 
-void lam_kernels_begin(void) {
+bool lam_kernels_begin(void) {
   pthread_mutex_lock(&turn);
   host_threads = openblas_get_num_threads();
   host_levels = omp_get_max_active_levels();
@@ -28,6 +52,10 @@ void lam_kernels_begin(void) {
    * factorization does; only without active levels does OpenMP leave those loops alone. */
   if (host_threads != 1) openblas_set_num_threads(1);
   omp_set_max_active_levels(0);
+
+  if (hold_workspace()) return true;
+  lam_kernels_end();
+  return false;
 }
 
 void lam_kernels_end(void) {

@@ -4,10 +4,13 @@
 #ifndef LAM_SOLVE_KERNELS_H
 #define LAM_SOLVE_KERNELS_H
 
+#include <stdbool.h>
+
 /* Around every call that may run dense kernels: one thread, so that results are the same bytes on
  * any number of processors. The settings are the whole process's: they are saved, and restored by
- * the end; calls of other threads of this library wait meanwhile. Nothing in between may jump. */
-void lam_kernels_begin(void);
+ * the end; calls of other threads of this library wait meanwhile. Nothing in between may jump.
+ * False when there is no memory for the kernels' workspace: then nothing is to be ended. */
+bool lam_kernels_begin(void);
 void lam_kernels_end(void);
 
 /* The kernels in use ("Zen", "Haswell", ...), and one line of advice when they do not suit this
