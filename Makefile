@@ -25,10 +25,10 @@ includes := -Igen -Igen/include -I. -isystem /usr/include/suitesparse
 CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off $(opt) $(warn) $(includes) -MMD -MP $(CFLAGS)
 # CGAL's exact predicates switch the rounding mode
 CXXFLAGS_ = -std=c++17 -fPIC -fvisibility=hidden -fvisibility-inlines-hidden -O2 -frounding-math $(warn) $(includes) -MMD -MP $(CXXFLAGS)
-libs     := -lcholmod -lamd -lopenblas -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lgomp -lstdc++ -lm
+libs     := -lamd -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lstdc++ -lm
 
 # Debian packages: to build; for pictures and OpenSCAD; for the tests
-packages_build := gcc g++ libc6-dev libsuitesparse-dev libopenblas-dev libcgal-dev libtinygltf-dev \
+packages_build := gcc g++ libc6-dev libsuitesparse-dev libcgal-dev libtinygltf-dev \
                   libpolyclipping-dev libyaml-dev libjansson-dev libpng-dev
 packages_show  := povray povray-includes
 packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm \
@@ -83,6 +83,14 @@ $(out)/liblamella.so: $(lib_obj) gen/lamella.map
 $(out)/lamella: $(cli_obj) $(out)/liblamella.a
 	@echo "  link $@"
 	@$(CXX) $(opt) -o $@.part $(cli_obj) $(out)/liblamella.a $(libs) && mv $@.part $@
+# fronts are computed with the instructions that the processor turns out to have
+ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
+$(out)/obj/gen/solve/factor/front_avx512.o: CFLAGS_ += -mavx512f -mfma
+$(out)/obj/gen/solve/factor/front_avx2.o: CFLAGS_ += -mavx -mfma
+endif
+ifeq ($(config),release)
+$(out)/obj/gen/solve/factor/front_%.o: opt += -O3
+endif
 $(out)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "  cc   $<"
@@ -91,10 +99,12 @@ build/obj/%.o: %.cc
 	@mkdir -p $(@D)
 	@echo "  c++  $<"
 	@$(CXX) $(CXXFLAGS_) -c $< -o $@
+# a second opinion on our factorization
+$(out)/tests/unit/solve/test_factor: second := -lcholmod
 $(out)/tests/%: tests/%.c $(out)/liblamella.a
 	@mkdir -p $(@D)
 	@echo "  test $<"
-	@$(CC) $(CFLAGS_) -DLAM_FUZZ_DRIVER -Itests/unit -o $@ $< $(out)/liblamella.a -lcmocka $(libs)
+	@$(CC) $(CFLAGS_) -DLAM_FUZZ_DRIVER -Itests/unit -o $@ $< $(out)/liblamella.a -lcmocka $(second) $(libs)
 -include $(lib_obj:.o=.d) $(cli_obj:.o=.d) $(tests:=.d)
 
 # ---- models: one folder per design; a design's rule lists the templates and meshes it used ----

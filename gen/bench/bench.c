@@ -3,15 +3,14 @@
 #include "bench/bench.h"
 #include "library/names.h"
 #include "library/session_state.h"
-#include "solve/kernels.h"
+#include "solve/factor/front.h"
 #include <lamella/bench.h>
 
 /* Tables as they come, or results for one array. One kind of net alone has no other sections than
  * those of nets. False with errors. */
 static bool run_sections(lam_bench *bench) {
   if (!bench->json)
-    fprintf(bench->out, "dense kernels: %s%s%s\n", lam_blas_kernel(), lam_blas_advice() ? "; " : "",
-            lam_blas_advice() ? lam_blas_advice() : "");
+    fprintf(bench->out, "linear algebra: %s\n", lam_front_kernels_choose()->name);
 
   if (!bench->only) {
     if (!lam_bench_factor(bench) || !lam_bench_surfaces(bench) || !lam_bench_quads(bench))

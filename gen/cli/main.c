@@ -52,11 +52,9 @@ static int help(FILE *out) {
   return 0;
 }
 
-/* The version and the kernels it runs on. Returns the exit status 0. */
+/* The version, and the instruction set that it uses. Returns the exit status 0. */
 static int version(void) {
-  printf("lamella %s\nlinear algebra: CHOLMOD on OpenBLAS, %s kernels\n", LAM_VERSION,
-         lam_kernels());
-  if (lam_kernels_advice()) printf("note: %s\n", lam_kernels_advice());
+  printf("lamella %s\nlinear algebra: %s\n", LAM_VERSION, lam_kernels());
   return 0;
 }
 
@@ -73,8 +71,6 @@ static int complain_unknown(const char *given) {
 
 /* The first argument is a verb, or asks for help or the version. */
 int main(int argc, char **argv) {
-  /* Before anything else: it may start the program anew. */
-  lam_kernels_restart(argv);
   setlocale(LC_ALL, "C");
 
   if (argc < 2) {

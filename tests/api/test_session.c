@@ -18,10 +18,10 @@
 
 /* core/arena.h: the n-th allocation from now on fails; a negative n: none. */
 long lam_alloc_fail_after(long n);
-extern int openblas_get_num_threads(void);
-extern void openblas_set_num_threads(int threads);
-extern int omp_get_max_active_levels(void);
-extern void omp_set_max_active_levels(int levels);
+/* solve/factor/front.h: an instruction set by name, or NULL; used from now on, NULL: the best. */
+struct lam_front_kernels;
+const struct lam_front_kernels *lam_front_kernels_named(const char *name);
+void lam_front_kernels_force(const struct lam_front_kernels *kernels);
 
 static const char small[] = "lamella: 1\nname: small\nsurface: {kind: enneper, size: 4 m}\n"
                             "net: {kind: asymptotic, grid: [6, 6], orthogonal: yes}\n"
@@ -225,11 +225,9 @@ static void no_memory_for_a_session_is_a_status(void **state) {
 
 /* ---- the host ---- */
 
-/* Threads of BLAS, levels of OpenMP, rounding mode, locale and a signal handler are as before. */
+/* Rounding mode, locale and a signal handler are as before. */
 static void the_host_keeps_its_settings(void **state) {
   (void)state;
-  openblas_set_num_threads(2);
-  omp_set_max_active_levels(3);
   fesetround(FE_UPWARD);
   void (*handler)(int) = signal(SIGINT, SIG_IGN);
 
@@ -239,10 +237,28 @@ static void the_host_keeps_its_settings(void **state) {
 
   assert_int_equal(fegetround(), FE_UPWARD);
   fesetround(FE_TONEAREST);
-  assert_int_equal(openblas_get_num_threads(), 2);
-  assert_int_equal(omp_get_max_active_levels(), 3);
   assert_ptr_equal(signal(SIGINT, handler), SIG_IGN);
   assert_string_equal(setlocale(LC_ALL, NULL), "C");
+}
+
+/* Every instruction set gives the same model, byte by byte. */
+static void the_processor_makes_no_difference(void **state) {
+  static const char *const sets[] = {"plain", "avx2", "avx512", "neon"};
+  (void)state;
+  char *first = NULL;
+  for (int i = 0; i < 4; i++) {
+    if (!lam_front_kernels_named(sets[i])) continue;
+    lam_front_kernels_force(lam_front_kernels_named(sets[i]));
+    lam_session *session = opened();
+    const lam_model *model = built(session, small);
+    lam_bytes file;
+    assert_int_equal(lam_model_encode(session, model, "report", 0, &file), LAM_OK);
+    if (!first) first = strdup(file.data);
+    assert_string_equal(file.data, first);
+    lam_session_free(session);
+  }
+  free(first);
+  lam_front_kernels_force(NULL);
 }
 
 /* ---- designs and models ---- */
@@ -478,6 +494,7 @@ int main(void) {
       cmocka_unit_test(what_was_given_before_memory_ran_out_stays),
       cmocka_unit_test(no_memory_for_a_session_is_a_status),
       cmocka_unit_test(the_host_keeps_its_settings),
+      cmocka_unit_test(the_processor_makes_no_difference),
       cmocka_unit_test(a_design_is_only_read),
       cmocka_unit_test(overrides_change_a_design),
       cmocka_unit_test(files_are_counted_and_named),

@@ -6,9 +6,8 @@
  *
  * Threads: a session belongs to one thread at a time; different sessions run in different threads.
  * What a session gave may be read by any thread while it lives. Nothing of the host is left changed
- * by a call: no thread counts, locale, signal handlers or floating-point modes (lam_kernels_restart
- * alone starts the program anew). A call that starts from a callback of the same session is a
- * mistake. */
+ * by a call: no thread counts, locale, signal handlers or floating-point modes. A call that starts
+ * from a callback of the same session is a mistake. */
 #ifndef LAMELLA_SESSION_H
 #define LAMELLA_SESSION_H
 
@@ -52,21 +51,11 @@ LAM_API void lam_session_set_progress(lam_session *session, const lam_progress *
  * NULL: the default again. LAM_NO_MEMORY is the only failure. */
 LAM_API lam_status lam_session_set_templates(lam_session *session, const char *folder);
 
-/* ---- dense kernels ----
- * Factorizations call BLAS. An OpenBLAS that does not know the processor runs at half its speed;
- * results agree to rounding, not to the last bit. */
+/* ---- linear algebra ---- */
 
-/* The kernels in use ("Zen", "Haswell", ...). A static text. Any thread. */
+/* The instruction set that factorizations use on this processor ("avx512", "avx2", "neon",
+ * "plain"). All give the same bits. A static text. Any thread. */
 LAM_API const char *lam_kernels(void);
-/* One line of advice when they do not suit the processor, otherwise NULL. A static text. Any
- * thread. */
-LAM_API const char *lam_kernels_advice(void);
-/* OpenBLAS chooses when it is loaded, so a program that wants better kernels has to start anew:
- * this does so, once, by setting OPENBLAS_CORETYPE and executing the program with argv as main got
- * it. Returns when there is nothing to gain, when the environment chooses already, or when the
- * program cannot be started again. To be called first in main, before there are threads, or not at
- * all. */
-LAM_API void lam_kernels_restart(char **argv);
 
 LAM_END_DECLS
 
