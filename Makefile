@@ -100,7 +100,7 @@ build/obj/%.o: %.cc
 	@echo "  c++  $<"
 	@$(CXX) $(CXXFLAGS_) -c $< -o $@
 # a second opinion on our factorization
-$(out)/tests/unit/solve/test_factor: second := -lcholmod
+$(out)/tests/unit/solve/test_factor $(out)/tests/bench/second_opinion: second := -lcholmod
 $(out)/tests/%: tests/%.c $(out)/liblamella.a
 	@mkdir -p $(@D)
 	@echo "  test $<"
@@ -155,6 +155,7 @@ accept: all
 bench: setup-build
 	@$(MAKE) --no-print-directory $(jobs) build/lamella
 	@build/lamella bench tests/cases/nets
+	@$(MAKE) --no-print-directory build/tests/bench/second_opinion && build/tests/bench/second_opinion
 layers:
 	@tests/layers
 format:

@@ -4,6 +4,8 @@
 #define LAM_BENCH_BENCH_H
 
 #include "net/optimize.h"
+#include "solve/assemble.h"
+#include "solve/factor.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -72,6 +74,22 @@ bool lam_bench_run_case(lam_bench *bench, const lam_bench_case *what, lam_bench_
 /* An object of the array of results, times in milliseconds; the caller owns it. */
 json_t *lam_bench_json(const char *section, const lam_bench_case *what,
                        const lam_bench_result *result);
+/* The normal equations of a net, analyzed and ready to be assembled again and again. */
+typedef struct lam_bench_equations {
+  const lam_problem *problem;
+  lam_system *system;
+  lam_factor *factor;
+  double *values;          /* of the matrix */
+  double *gradient, *step; /* one number per column */
+} lam_bench_equations;
+/* Those of the hard constraints of an asymptotic net with right angles on an Enneper surface, the
+ * one of bench_thesis.c, about so many cells by so many. They live in bench->arena. False with
+ * errors. */
+bool lam_bench_asymptotic(lam_bench *bench, int cells, lam_bench_equations *equations,
+                          int *vertices);
+/* Assembles and damps the matrix, as the solver does in one step. */
+void lam_bench_assemble(const lam_bench_equations *equations);
+
 /* Seconds that this thread has computed: other programs do not count. */
 double lam_bench_clock(void);
 
@@ -85,7 +103,7 @@ bool lam_bench_thesis(lam_bench *bench);
 /* Nearly developable surfaces: Newton's method against the two algorithms of Li & Deng. It cannot
  * fail. */
 void lam_bench_developable(lam_bench *bench);
-/* An iteration against CHOLMOD on the same matrix; meshes that are hard to planarize. */
+/* An iteration against its factorization; meshes that are hard to planarize. */
 bool lam_bench_factor(lam_bench *bench);
 /* Surfaces of least area: several methods from one start. */
 bool lam_bench_surfaces(lam_bench *bench);

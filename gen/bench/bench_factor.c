@@ -1,7 +1,7 @@
-/* What an iteration costs beyond the factorization: a whole one against CHOLMOD's part of it on the
- * same matrix; and nets on meshes that are hard to planarize. Called by bench.c. */
+/* What an iteration costs beyond the factorization: a whole one against that part of it on the same
+ * matrix; and nets on meshes that are hard to planarize. Called by bench.c, and by
+ * tests/bench/second_opinion.c for its matrices. */
 #include "bench/bench.h"
-#include "solve/assemble.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,17 +32,8 @@ typedef struct comparison {
   lam_factor_stats stats;
 } comparison;
 
-/* The normal equations of a net, analyzed and ready to be assembled again and again. */
-typedef struct equations {
-  const lam_problem *problem;
-  lam_system *system;
-  lam_factor *factor;
-  double *values;          /* of the matrix */
-  double *gradient, *step; /* one number per column */
-} equations;
-
 /* Positions are in mean edges, as the solver takes them. Hard constraints alone. */
-static equations equations_of(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
+static lam_bench_equations equations_of(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
   double unit = lam_net_mean_edge(net, net->mesh.vertices);
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, net->mesh.vertex_count);
   for (int v = 0; v < net->mesh.vertex_count; v++)
@@ -57,7 +48,7 @@ static equations equations_of(lam_arena *arena, const lam_net_job *job, const la
   lam_system *system = lam_system_new(arena, problem);
   int n = lam_system_size(system);
   const int *columns = lam_system_columns(system);
-  return (equations){.problem = problem,
+  return (lam_bench_equations){.problem = problem,
                      .system = system,
                      .factor = lam_factor_analyze(arena, n, columns, lam_system_rows(system),
                                                   lam_system_order(system)),
@@ -66,21 +57,25 @@ static equations equations_of(lam_arena *arena, const lam_net_job *job, const la
                      .step = LAM_NEW(arena, double, n)};
 }
 
-/* All that the solver does in one step: assemble, damp, factorize, solve, look at the residual. */
-static void iterate(const equations *e) {
-  static const lam_weights weights = {1, 1, 0};
-  lam_system_assemble(e->system, e->problem->x, weights, e->values, e->gradient);
+static const lam_weights hard_alone = {1, 1, 0};
+
+void lam_bench_assemble(const lam_bench_equations *e) {
+  lam_system_assemble(e->system, e->problem->x, hard_alone, e->values, e->gradient);
   lam_system_damp(e->system, 1e-6, e->values);
-  lam_factor_refactor(e->factor, e->values);
-  lam_factor_solve(e->factor, e->gradient, e->step);
-  lam_system_residual(e->system, e->problem->x, weights);
 }
 
-/* An iteration, then CHOLMOD's part of it alone on the same matrix; pairs see the same noise of the
- * machine. */
-static comparison compare(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
+/* All that the solver does in one step: assemble, damp, factorize, solve, look at the residual. */
+static void iterate(const lam_bench_equations *e) {
+  lam_bench_assemble(e);
+  lam_factor_refactor(e->factor, e->values);
+  lam_factor_solve(e->factor, e->gradient, e->step);
+  lam_system_residual(e->system, e->problem->x, hard_alone);
+}
+
+/* An iteration, then factorization and solution alone on the same matrix; pairs see the same noise
+ * of the machine. */
+static comparison compare(lam_bench_equations e) {
   double iteration[repeats], factor[repeats], alone[repeats], ratio[repeats];
-  equations e = equations_of(arena, job, net);
   for (int i = 0; i < repeats; i++) {
     double since = lam_bench_clock();
     iterate(&e);
@@ -106,7 +101,7 @@ static comparison compare(lam_arena *arena, const lam_net_job *job, const lam_ne
 static json_t *comparison_json(const char *net, int vertices, const comparison *c) {
   return json_pack("{s:s, s:s, s:i, s:f, s:f, s:f, s:f, s:f}", "section", "factor", "net", net,
                    "vertices", vertices, "iteration_ms", c->iteration.least, "factor_ms",
-                   c->factor.least, "cholmod_ms", c->alone.least, "ratio", c->ratio, "flops",
+                   c->factor.least, "solved_ms", c->alone.least, "ratio", c->ratio, "flops",
                    c->stats.flops);
 }
 
@@ -114,31 +109,41 @@ static json_t *comparison_json(const char *net, int vertices, const comparison *
 static void print_comparison(FILE *out, int vertices, const comparison *c) {
   fprintf(out,
           "asymptotic net with right angles, %d vertices, %d times, median (least)\n"
-          "  one iteration %.1f (%.1f) ms; CHOLMOD on the same matrix: factorize %.1f (%.1f), with "
-          "solve %.1f (%.1f); %.2f Gflop, %.1f M entries\n"
-          "  one iteration / CHOLMOD factorize + solve: %.2f (median of %d pairs)\n",
+          "  one iteration %.1f (%.1f) ms; of it factorize %.1f (%.1f), with solve %.1f (%.1f); "
+          "%.2f Gflop, %.1f M entries\n"
+          "  one iteration / factorize and solve: %.2f (median of %d pairs)\n",
           vertices, repeats, c->iteration.median, c->iteration.least, c->factor.median,
           c->factor.least, c->alone.median, c->alone.least, c->stats.flops * 1e-9,
           c->stats.entries * 1e-6, c->ratio, repeats);
 }
 
-/* On the asymptotic net of bench_thesis.c. False with errors. */
-static bool factor_of_iteration(lam_bench *bench) {
-  static const lam_bench_case what = {.kind = "asymptotic",
-                                      .keys = "orthogonal: yes",
-                                      .solver = "{}",
-                                      .surface = "{kind: enneper, u: [-0.8, 0.8], v: [-0.8, 0.8]}",
-                                      .grid = {68, 69},
-                                      .noise = .05};
+bool lam_bench_asymptotic(lam_bench *bench, int cells, lam_bench_equations *equations,
+                          int *vertices) {
+  lam_bench_case what = {.kind = "asymptotic",
+                         .keys = "orthogonal: yes",
+                         .solver = "{}",
+                         .surface = "{kind: enneper, u: [-0.8, 0.8], v: [-0.8, 0.8]}",
+                         .grid = {cells, cells + 1},
+                         .noise = .05};
   lam_net_job job;
   lam_net net;
   if (!lam_bench_net(bench, &what, &job, &net)) return false;
+  *equations = equations_of(bench->arena, &job, &net);
+  *vertices = net.mesh.vertex_count;
+  return true;
+}
 
-  comparison c = compare(bench->arena, &job, &net);
+/* False with errors. */
+static bool factor_of_iteration(lam_bench *bench) {
+  lam_bench_equations equations;
+  int vertices;
+  if (!lam_bench_asymptotic(bench, 68, &equations, &vertices)) return false;
+
+  comparison c = compare(equations);
   if (bench->json)
-    json_array_append_new(bench->json, comparison_json(what.kind, net.mesh.vertex_count, &c));
+    json_array_append_new(bench->json, comparison_json("asymptotic", vertices, &c));
   else
-    print_comparison(bench->out, net.mesh.vertex_count, &c);
+    print_comparison(bench->out, vertices, &c);
   return true;
 }
 
