@@ -29,6 +29,9 @@ typedef struct lam_format {
   const char *doc;    /* one sentence */
   const char *ending; /* of the files it reads, for instance "obj" or "step stp"; NULL when it only
                          writes */
+  const char *needs;  /* the format that its files are made from, and that is written with it; NULL:
+                         none */
+  bool last;          /* written when all others are there: the target of make rules */
   /* How many files the model gives (0: nothing to write). NULL: a reader only. */
   int (*count)(const lam_model *model);
   /* The name of file i relative to the output folder, for instance "parts/A07a.stl". */

@@ -6,7 +6,6 @@
 
 /* clang-format off */
 #define FORMATS(row) \
-  row(report) \
   row(obj) \
   row(stl) \
   row(scad) \
@@ -26,7 +25,8 @@
   row(plot_gltf) \
   row(frames) \
   row(animation) \
-  row(points)
+  row(points) \
+  row(report)
 /* clang-format on */
 
 #define DECLARE(name) extern const lam_format lam_format_##name;

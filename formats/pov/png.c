@@ -11,7 +11,8 @@ static void path(const lam_model *model, int i, lam_text *name) {
 
 const lam_format lam_format_png = {
     .name = "png",
-    .doc = "NAME.png: the scene rendered by POV-Ray (needs pov too).",
+    .doc = "NAME.png: the scene rendered by POV-Ray; pov is written with it.",
+    .needs = "pov",
     .count = count,
     .path = path,
 };

@@ -84,4 +84,5 @@ const lam_format lam_format_report = {
     .doc = "report.json: convergence and independent measures of every stage.",
     .count = count,
     .path = path,
-    .write = write};
+    .write = write,
+    .last = true};

@@ -19,8 +19,8 @@ static const lam_option *find(const lam_option *options, const char *argument, c
 }
 
 /* Stores an option with the value behind its equals sign (NULL: it has none, and the next argument
- * is taken). *i is at the option, and at its value afterwards. False: it lacks a value or has one
- * too many. */
+ * is taken). *i is at the option, and at its value afterwards. False: it lacks a value, has an
+ * empty one, or has one too many. */
 static bool store(const lam_option *option, const char *value, int argc, char **argv, int *i) {
   if (option->flag) {
     *option->flag = true;
@@ -31,6 +31,9 @@ static bool store(const lam_option *option, const char *value, int argc, char **
     if (*i + 1 == argc) return false;
     value = argv[++*i];
   }
+
+  /* An empty name would stand for something that nobody has meant, such as the top folder. */
+  if (!option->values && !*value) return false;
 
   if (option->values)
     option->values[(*option->count)++] = value;

@@ -3,7 +3,10 @@
 #include "cli/verbs.h"
 #include <lamella/lamella.h>
 
+#include <errno.h>
 #include <locale.h>
+#include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,10 +72,8 @@ static int complain_unknown(const char *given) {
                             near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
 }
 
-/* The first argument is a verb, or asks for help or the version. */
-int main(int argc, char **argv) {
-  setlocale(LC_ALL, "C");
-
+/* The first argument is a verb, or asks for help or the version. Returns the exit status. */
+static int run(int argc, char **argv) {
   if (argc < 2) {
     help(stderr);
     return 2;
@@ -85,4 +86,33 @@ int main(int argc, char **argv) {
   for (int i = 0; i < verb_count; i++)
     if (strcmp(given, verbs[i].name) == 0) return verbs[i].run(argc - 1, argv + 1);
   return complain_unknown(given);
+}
+
+/* Programs that were started and temporary files go with the program; then the signal does what it
+ * does to any program. */
+static void end_with(int signal_number) {
+  lam_abandon();
+  signal(signal_number, SIG_DFL);
+  raise(signal_number);
+}
+
+/* Signals by which a person or the system ends a program. One that is ignored, as under nohup,
+ * stays so. */
+static void handle_signals(void) {
+  static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+  for (size_t i = 0; i < sizeof ending / sizeof *ending; i++)
+    if (signal(ending[i], end_with) == SIG_IGN) signal(ending[i], SIG_IGN);
+}
+
+/* What a verb says must arrive: a full disk behind stdout is a failure of every verb. */
+int main(int argc, char **argv) {
+  setlocale(LC_ALL, "C");
+  handle_signals();
+
+  int status = run(argc, argv);
+  bool lost = fflush(stdout) != 0;
+  if (!lost && !ferror(stdout)) return status;
+  lam_complain_plain(1, "stdout cannot be written%s%s", lost ? ": " : "",
+                     lost ? strerror(errno) : "");
+  return status ? status : 1;
 }

@@ -14,7 +14,7 @@ static const char usage[] =
     "[--deps FILE] [--quiet] [--timings]\n"
     "  -o DIR           the folder for the files (default: the design's name)\n"
     "  --set KEY=VALUE  overrides a key of the design, as in --set net.grid=[40,40]\n"
-    "  --only FORMATS   writes only these formats (see lamella list formats)\n"
+    "  --only FORMATS   writes only these formats (see lamella list formats); png brings pov\n"
     "  --skip FORMATS   writes all formats but these\n"
     "  --deps FILE      writes a make rule: what DIR/report.json was made from\n"
     "  --quiet          prints errors only\n"
@@ -30,8 +30,8 @@ static void tell_result(const lam_model *model, const lam_written *written,
            written->removed);
 }
 
-/* Writes the model and returns the exit status: 1 when a stage did not converge or when writing
- * fails, whatever the reason. */
+/* Writes the model and returns the exit status: 2 when the request is wrong, 1 when a stage did not
+ * converge, when a file that was asked for is missing or when writing fails. */
 static int write_model(lam_session *session, const lam_model *model,
                        const lam_write_options *options, bool quiet) {
   lam_written written;
@@ -40,11 +40,11 @@ static int write_model(lam_session *session, const lam_model *model,
     fprintf(stderr, "lamella: %s\n", note->text);
 
   if (status != LAM_OK) {
-    lam_verb_status(session, status);
-    return 1;
+    int told = lam_verb_status(session, status);
+    return status == LAM_BAD_INPUT ? told : 1;
   }
   if (!quiet) tell_result(model, &written, options);
-  return lam_report_converged(model->report) ? 0 : 1;
+  return lam_report_converged(model->report) && !written.left_out ? 0 : 1;
 }
 
 /* Builds the model and writes it, told about at the terminal. Returns the exit status. */

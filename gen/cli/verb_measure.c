@@ -97,6 +97,7 @@ static void print_text(const lam_measure_task *task, const lam_measured *measure
 /* Reads the meshes of the task, whose names are checked first; reference: a file, or NULL. */
 static lam_status read_meshes(lam_session *session, const char *reference, lam_mesh *mesh,
                               lam_trimesh *triangles, lam_measure_task *task) {
+  task->reference_name = reference;
   lam_status status = lam_measure_task_check(session, task);
   if (status == LAM_OK) status = lam_read_mesh(session, task->name, mesh);
   task->mesh = mesh;

@@ -1,6 +1,7 @@
 /* Whole files: read into the arena, written so that nobody sees half of them. Called by library,
  * cli and core/image.c. */
 #include "core/file.h"
+#include "core/leftover.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -118,15 +119,23 @@ lam_status lam_file_write_atomic(const char *path, const void *bytes, size_t cou
   /* The thread's number keeps two writers of the same file apart. */
   char *temporary = lam_arena_printf(errors->arena, "%s.%ld.part", path, (long)gettid());
   unlink(temporary); /* left by a thread of the same number that was killed */
+  int leftover = lam_leftover_file(AT_FDCWD, temporary);
   int file = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) return fail(errors, path, "cannot be written", errno);
 
-  int reason = write_and_close(file, bytes, count);
+  int reason = file < 0 ? errno : write_and_close(file, bytes, count);
   if (!reason && rename(temporary, path)) reason = errno;
+  if (reason && file >= 0) unlink(temporary);
+  lam_leftover_forget(leftover);
   if (!reason) return LAM_OK;
-
-  unlink(temporary);
   return fail(errors, path, "cannot be written", reason);
+}
+
+/* ---- paths ---- */
+
+bool lam_path_same(const char *a, const char *b) {
+  struct stat one, other;
+  return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_dev == other.st_dev &&
+         one.st_ino == other.st_ino;
 }
 
 /* From the top of the path down, one folder at a time. */

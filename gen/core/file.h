@@ -5,6 +5,8 @@
 
 #include "core/error.h"
 
+#include <stdbool.h>
+
 /* Reads a file (or a pipe) of at most `limit` bytes into the arena. *bytes is followed by a zero
  * that is not counted in *count; NULL and 0 when reading fails. LAM_IO: it cannot be read.
  * LAM_BAD_INPUT: it is larger than the limit. */
@@ -17,6 +19,9 @@ lam_status lam_file_read(lam_arena *arena, const char *path, size_t limit, lam_e
  * be written. */
 lam_status lam_file_write_atomic(const char *path, const void *bytes, size_t count,
                                  lam_errors *errors);
+
+/* Whether both paths lead to the same file or folder that is there, links followed. */
+bool lam_path_same(const char *a, const char *b);
 
 /* Makes a folder and the folders above it where they are missing. LAM_IO: one cannot be made, or
  * something else has its name. */

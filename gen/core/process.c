@@ -1,17 +1,18 @@
 /* Outside programs: found in PATH, started with their output on a pipe, ended when their time is
- * up. Called by library/. */
+ * up, or with the process. Called by library/. */
 #include "core/process.h"
 #include "core/clock.h"
+#include "core/leftover.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -90,32 +91,76 @@ static char **merge_environment(lam_arena *arena, const char *const *additions) 
 
 /* ---- running ---- */
 
-/* Starts the program with its stdout and stderr on pipe_end (stdout in the output file when there
- * is one). It leads a process group of its own, so that a timeout ends what it started too.
- * Returns 0 with *pid, or an error number. */
-static int start(const lam_process *process, char **environment, int pipe_end, pid_t *pid) {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+/* A program that runs: what has to be closed and ended when control jumps away. */
+typedef struct running {
+  pid_t pid;    /* 0: none any more */
+  int pipe_end; /* -1: closed */
+  int leftover; /* its place in core/leftover.h */
+} running;
 
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  if (process->output_path) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, process->output_path,
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  } else {
-    posix_spawn_file_actions_adddup2(&actions, pipe_end, STDOUT_FILENO);
-  }
-  posix_spawn_file_actions_adddup2(&actions, pipe_end, STDERR_FILENO);
+/* Closes the pipe, and ends the whole process group when its leader was not waited for. Called with
+ * the arena's memory when it runs out on the way; a second call does nothing. */
+static void end_running(void *handle) {
+  running *r = handle;
+  if (r->pipe_end >= 0) close(r->pipe_end);
+  r->pipe_end = -1;
+  if (r->pid <= 0) return;
+
+  kill(-r->pid, SIGKILL);
+  while (waitpid(r->pid, NULL, 0) < 0 && errno == EINTR) continue;
+  lam_leftover_forget(r->leftover);
+  r->pid = 0;
+}
+
+/* Makes descriptor `from` the standard one `to`. Returns false with errno. */
+static bool redirect(int from, int to) { return from >= 0 && dup2(from, to) == to; }
+
+/* What the child does before it is the program; returns only when something fails, with errno. It
+ * leads a process group of its own, so that a timeout ends what it started too, and it dies with
+ * the thread that started it: nobody else would read what it says. The memory is still the
+ * parent's: nothing here may change it. */
+static void become_program(const lam_process *process, char **environment, int pipe_end,
+                           pid_t parent, const sigset_t *mask) {
+  if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return;
+  if (getppid() != parent) _exit(127); /* it died before this could be asked for */
+
+  int output = pipe_end;
+  if (process->output_path)
+    output = open(process->output_path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (!redirect(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO)) return;
+  if (!redirect(output, STDOUT_FILENO) || !redirect(pipe_end, STDERR_FILENO)) return;
 
   /* Behind the output file, whose path is relative to the folder of this process. */
-  if (process->directory) posix_spawn_file_actions_addchdir_np(&actions, process->directory);
+  if (process->directory && chdir(process->directory) != 0) return;
 
-  int error = posix_spawnp(pid, process->arguments[0], &actions, &attributes,
-                           (char *const *)process->arguments, environment);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
+  /* Handlers of the parent must not run here. */
+  signal(SIGINT, SIG_DFL);
+  signal(SIGTERM, SIG_DFL);
+  signal(SIGHUP, SIG_DFL);
+  sigprocmask(SIG_SETMASK, mask, NULL);
+  execvpe(process->arguments[0], (char *const *)process->arguments, environment);
+}
+
+/* Starts the program with its stdout and stderr on pipe_end (stdout in the output file when there
+ * is one). Returns 0 with *pid, or an error number. vfork: no copy of a large process is made, and
+ * handlers of other libraries for fork are not run; the child sets `error` in the shared memory. */
+static int start(const lam_process *process, char **environment, int pipe_end, pid_t *pid) {
+  sigset_t all, mask;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &mask);
+
+  volatile int error = 0;
+  pid_t parent = getpid(), child = vfork();
+  if (child == 0) {
+    become_program(process, environment, pipe_end, parent, &mask);
+    error = errno;
+    _exit(127);
+  }
+  if (child < 0) error = errno;
+  pthread_sigmask(SIG_SETMASK, &mask, NULL);
+
+  if (child > 0 && error) waitpid(child, NULL, 0);
+  *pid = child;
   return error;
 }
 
@@ -179,6 +224,26 @@ static bool check_directory(const lam_process *process, lam_errors *errors) {
   return false;
 }
 
+/* Reads the output and waits for the end of a program that was started. An exhausted arena ends it
+ * (end_running). */
+static lam_status attend(const lam_process *process, running *r, int *exit_code,
+                         lam_errors *errors) {
+  double deadline = process->timeout > 0 ? lam_clock_seconds() + process->timeout : 0;
+  int status = 0;
+  if (!collect(r->pipe_end, deadline, process->output) || !wait_for(r->pid, deadline, &status)) {
+    end_running(r);
+    lam_error_add(errors, nowhere, NULL, "%s: stopped after %g s", process->arguments[0],
+                  process->timeout);
+    return errors->status = LAM_FAILED;
+  }
+
+  lam_leftover_forget(r->leftover);
+  r->pid = 0;
+  end_running(r);
+  if (exit_code) *exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return LAM_OK;
+}
+
 /* The output is read until the pipe ends, and only then is the end of the program waited for: a
  * program that writes more than a pipe holds would never end otherwise. */
 lam_status lam_process_run(const lam_process *process, int *exit_code, lam_errors *errors) {
@@ -186,35 +251,27 @@ lam_status lam_process_run(const lam_process *process, int *exit_code, lam_error
   if (!lam_process_exists(program)) return report_missing(process, errors);
   if (!check_directory(process, errors)) return LAM_IO;
 
-  /* Memory first: running out of it jumps, and the pipe would stay open. */
+  /* Memory first: running out of it jumps, and the arena closes what is open then. */
   char **environment = merge_environment(errors->arena, process->environment);
+  running *r = LAM_NEW(errors->arena, running, 1);
+  *r = (running){.pipe_end = -1, .leftover = -1};
+  lam_arena_defer(errors->arena, end_running, r);
 
   /* Other programs that are started meanwhile do not inherit the pipe, and cannot hold it open. */
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return fail_to_start(errors, program, errno);
+  r->pipe_end = ends[0];
 
   /* The program alone keeps the writing end: the pipe ends with it. */
   pid_t pid;
   int error = start(process, environment, ends[1], &pid);
   close(ends[1]);
   if (error) {
-    close(ends[0]);
+    end_running(r);
     return fail_to_start(errors, program, error);
   }
 
-  double deadline = process->timeout > 0 ? lam_clock_seconds() + process->timeout : 0;
-  int status = 0;
-  bool ended = collect(ends[0], deadline, process->output) && wait_for(pid, deadline, &status);
-  close(ends[0]);
-
-  /* The whole process group is killed, and waited for so that nothing of it is left. */
-  if (!ended) {
-    kill(-pid, SIGKILL);
-    wait_for(pid, 0, &status);
-    lam_error_add(errors, nowhere, NULL, "%s: stopped after %g s", program, process->timeout);
-    return errors->status = LAM_FAILED;
-  }
-
-  if (exit_code) *exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  return LAM_OK;
+  r->pid = pid;
+  r->leftover = lam_leftover_program(pid);
+  return attend(process, r, exit_code, errors);
 }

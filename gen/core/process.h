@@ -29,8 +29,9 @@ typedef struct lam_process {
  *                        or pipe left: one message
  *   LAM_FAILED           it did not end within the timeout: one message
  *
- * exit_code may be NULL. Keeps no pointer. One process at a time per lam_text; otherwise safe in
- * threads. */
+ * The program does not outlive the process: it dies with the thread that called, whatever ends that
+ * (on Linux), and with lam_leftovers_end. exit_code may be NULL. Keeps no pointer. One process at a
+ * time per lam_text; otherwise safe in threads. */
 lam_status lam_process_run(const lam_process *process, int *exit_code, lam_errors *errors);
 
 /* Whether the program is found in PATH (or, with a slash, is an executable file). Called by

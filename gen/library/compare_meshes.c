@@ -25,9 +25,12 @@ static bool read_solid(lam_session *session, const char *path, bool self_interse
 
   lam_status status = lam_solid_measure(mesh, self_intersections, facts);
   if (status == LAM_NO_MEMORY) lam_arena_exhausted(session->arena);
-  if (status != LAM_OK)
-    lam_error_add(&session->errors, location, NULL, "the mesh cannot be measured");
-  return status == LAM_OK;
+  if (status == LAM_OK) return true;
+
+  /* Not the input's fault: the library behind it gave up. */
+  lam_error_add(&session->errors, location, NULL, "the mesh cannot be measured");
+  session->errors.status = status;
+  return false;
 }
 
 /* ---- one ---- */

@@ -1,4 +1,5 @@
 /* Comparing two PNG pictures. Called through lamella/solid.h, by cli/diff_pictures.c. */
+#include "core/file.h"
 #include "core/image.h"
 #include "library/session_state.h"
 #include <lamella/solid.h>
@@ -11,6 +12,12 @@ _Static_assert((int)LAM_PIXEL_STEP == (int)lam_image_step,
 static lam_status compare(lam_session *session, const char *const paths[2], const char *mask_path,
                           lam_picture_comparison *c) {
   lam_image images[2], mask = {0};
+  for (int i = 0; i < 2; i++)
+    if (mask_path && lam_path_same(paths[i], mask_path))
+      lam_error_add(&session->errors, (lam_location){0}, "--mask",
+                    "given %s, which is compared; expected another file for the mask", mask_path);
+  if (session->errors.count) return LAM_OK;
+
   bool read = true; /* both are read, so that all messages appear at once */
   for (int i = 0; i < 2; i++)
     read = lam_image_read(session->arena, paths[i], &session->errors, &images[i]) == LAM_OK && read;

@@ -74,15 +74,36 @@ static bool works(lam_session *session, const lam_surface_definition *definition
   return read_surface(session, definition->name, &surface);
 }
 
-/* The surface is known while it is tried, and forgotten when it does not work. */
+/* A surface that is known while it is tried. */
+typedef struct trial {
+  lam_session *session;
+  bool running;
+} trial;
+
+/* Forgets the surface of a trial that goes on, which is the last one of the session. Called by the
+ * session's memory, when that runs out. */
+static void end_trial(void *handle) {
+  trial *t = handle;
+  if (t->running) t->session->surface_count--;
+  t->running = false;
+}
+
+/* The surface is known while it is tried, and forgotten when it does not work or when memory runs
+ * out. */
 static lam_status add(lam_session *session, const lam_surface_definition *definition) {
   const lam_surface_kind *kind =
       lam_surface_kind_defined(session->lasting, definition, &session->errors);
   if (!kind || !is_free(session, kind->head.name)) return LAM_OK;
 
+  trial *t = LAM_NEW(session->arena, trial, 1);
+  t->session = session;
+  lam_arena_defer(session->arena, end_trial, t);
   LAM_APPEND(session->lasting, session->surfaces, session->surface_count, session->surface_capacity,
              &kind->head);
-  if (!works(session, definition)) session->surface_count--;
+  t->running = true;
+
+  if (works(session, definition)) t->running = false;
+  end_trial(t);
   return LAM_OK;
 }
 

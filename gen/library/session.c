@@ -1,5 +1,6 @@
 /* Sessions: their memory, their messages, and the beginning and end of every call. Called through
  * lamella/session.h, and by every function of the face (LAM_ENTER). */
+#include "core/leftover.h"
 #include "library/session_state.h"
 #include "library/templates.h"
 #include "surf/surface.h"
@@ -87,6 +88,8 @@ lam_status lam_session_exhausted(lam_session *session) {
 }
 
 /* ---- what a caller sees and sets ---- */
+
+void lam_abandon(void) { lam_leftovers_end(); }
 
 const lam_error *lam_session_messages(const lam_session *session) { return session->errors.first; }
 const lam_error *lam_session_notes(const lam_session *session) { return session->notes.first; }

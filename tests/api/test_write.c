@@ -109,6 +109,18 @@ static void assert_first(fixture *f, const char *key, const char *text) {
 
 /* ---- folders and lists ---- */
 
+/* The names in a folder's list, without the hashes behind them. */
+static void assert_listed(fixture *f, const char *folder, const char *expected) {
+  char names[sizeof f->text] = "";
+  for (char *line = strtok((char *)get(f, folder, ".lamella-files"), "\n"); line;
+       line = strtok(NULL, "\n")) {
+    char *blank = strrchr(line, ' ');
+    if (blank && strlen(blank) == 17) *blank = 0;
+    strcat(strcat(names, line), "\n");
+  }
+  assert_string_equal(names, expected);
+}
+
 /* The list has the design's name, then the files in the order of their names; lam_written has them
  * in the order of the formats. */
 static void files_are_listed_in_their_folder(void **state) {
@@ -118,10 +130,10 @@ static void files_are_listed_in_their_folder(void **state) {
   lam_written w =
       written_as(f, f->model, (lam_write_options){.folder = deep, .only = "report,obj"});
   assert_int_equal(w.file_count, 2);
-  assert_string_equal(w.files[0], path_in(f, deep, "report.json"));
-  assert_string_equal(w.files[1], path_in(f, deep, "net.obj"));
+  assert_string_equal(w.files[0], path_in(f, deep, "net.obj"));
+  assert_string_equal(w.files[1], path_in(f, deep, "report.json"));
   assert_int_equal(w.removed, 0);
-  assert_string_equal(get(f, deep, ".lamella-files"), "tent\nnet.obj\nreport.json\n");
+  assert_listed(f, deep, "tent\nnet.obj\nreport.json\n");
   assert_non_null(strstr(get(f, deep, "net.obj"), "f 5 8 9 6"));
 }
 
@@ -129,9 +141,9 @@ static void files_are_listed_in_their_folder(void **state) {
 static void what_files_need_stands_beside_them(void **state) {
   fixture *f = *state;
   written_as(f, f->model, (lam_write_options){.only = "pov"});
-  assert_string_equal(get(f, f->out, ".lamella-files"),
-                      "tent\ncamera.inc\nground.inc\nlight.inc\nmaterials.inc\npeople.inc\n"
-                      "plaza.inc\nrender.ini\nsky.inc\ntent.pov\ntrees.inc\n");
+  assert_listed(f, f->out,
+                "tent\ncamera.inc\nground.inc\nlight.inc\nmaterials.inc\npeople.inc\n"
+                "plaza.inc\nrender.ini\nsky.inc\ntent.pov\ntrees.inc\n");
   char copy[sizeof f->text];
   strcpy(copy, get(f, f->out, "camera.inc"));
   assert_string_equal(copy, get(f, "templates/pov", "camera.inc"));
@@ -152,8 +164,7 @@ static void a_whole_build_takes_away_what_is_gone(void **state) {
 
   lam_written w = written_as(f, f->model, (lam_write_options){.only = "report,obj"});
   assert_int_equal(w.removed, 0);
-  assert_string_equal(get(f, f->out, ".lamella-files"),
-                      "tent\ngone.stl\nmissing.stl\nnet.obj\nreport.json\n");
+  assert_listed(f, f->out, "tent\ngone.stl\nmissing.stl\nnet.obj\nreport.json\n");
   w = written_as(f, f->model, (lam_write_options){.skip = "png,obj,pov"});
   assert_int_equal(w.removed, 0);
   assert_non_null(get(f, f->out, "gone.stl"));
@@ -216,7 +227,7 @@ static void options_name_formats(void **state) {
                       "zzz; expected formats of `lamella list formats`");
   assert_null(lam_session_messages(f->session)->next->next);
 
-  lam_written written = {7, NULL, 7};
+  lam_written written = {7, NULL, 7, 7};
   assert_int_equal(lam_model_write(f->session, f->model, &bad, &written), LAM_BAD_INPUT);
   assert_int_equal(written.file_count, 0);
   assert_int_equal(access(f->out, F_OK), -1); /* nothing was begun */
@@ -281,7 +292,8 @@ static void note_step(void *context, const char *stage, double fraction, const c
   assert_string_equal(detail, "");
 }
 
-/* report is the first format and obj the second of 21; at the end all is done. */
+/* obj is the first format, and report the last: it is written when all else is there. At the end
+ * all is done. */
 static void progress_is_told_by_format(void **state) {
   fixture *f = *state;
   steps s = {0};
@@ -290,15 +302,15 @@ static void progress_is_told_by_format(void **state) {
   lam_session_set_progress(f->session, &(lam_progress){note_step, &s});
   written_as(f, f->model, (lam_write_options){.only = "report,obj"});
   assert_int_equal(s.count, 3);
-  assert_string_equal(s.stage[0], "report");
-  assert_string_equal(s.stage[1], "obj");
+  assert_string_equal(s.stage[0], "obj");
+  assert_string_equal(s.stage[1], "report");
   assert_string_equal(s.stage[2], "-");
   assert_true(s.fraction[0] == 0 && s.fraction[1] > 0 && s.fraction[2] == 1);
   lam_session_set_progress(f->session, NULL);
   assert_int_equal(lam_reference_list(f->session, "formats", &formats), LAM_OK);
   for (const char *at = formats; *at; at++) count += *at == '\n' && at[1] && at[1] != ' ';
-  if (fabs(s.fraction[1] * (count + 1) - 1) > 1e-12)
-    fail_msg("obj begins at %.17g, expected 1 / %d", s.fraction[1], count + 1);
+  if (fabs((1 - s.fraction[1]) * (count + 1) - 1) > 1e-12)
+    fail_msg("report begins at %.17g, expected 1 - 1 / %d", s.fraction[1], count + 1);
 }
 
 static void files_are_given_as_bytes(void **state) {
@@ -318,22 +330,19 @@ static void povray_gets_the_scene_and_the_size(void **state) {
   fixture *f = *state;
   lam_model model = *f->model;
   model.picture = (lam_picture){"plaza", "auto", 64, 36, "thumb"};
-  stand_in(f, "povray", "#!/bin/sh\necho \"$@\" >said; pwd >>said; echo picture >tent.part.png\n");
+  stand_in(f, "povray",
+           "#!/bin/sh\necho \"$@\" >said; pwd >>said; echo picture >.lamella-part.png\n");
   lam_written w = written_as(f, &model, (lam_write_options){.only = "pov,png"});
   assert_string_equal(w.files[w.file_count - 1], path_in(f, f->out, "tent.png"));
   char expected[160];
-  snprintf(expected, sizeof expected,
-           "render.ini[thumb] +Itent.pov +Otent.part.png +W64 +H36 -D +L. +Ltemplates/pov\n%s\n",
-           f->out);
+  snprintf(
+      expected, sizeof expected,
+      "render.ini[thumb] +Itent.pov +O.lamella-part.png +W64 +H36 -D +L. +Ltemplates/pov\n%s\n",
+      f->out);
   assert_string_equal(get(f, f->out, "said"), expected);
   assert_string_equal(get(f, f->out, "tent.png"), "picture\n");
-  assert_null(get(f, f->out, "tent.part.png"));
+  assert_null(get(f, f->out, ".lamella-part.png"));
   assert_null(lam_session_notes(f->session));
-
-  /* without the settings beside the scene, those of the templates */
-  unlink(path_in(f, f->out, "render.ini"));
-  written_as(f, &model, (lam_write_options){.only = "png"});
-  assert_memory_equal(get(f, f->out, "said"), "templates/pov/render.ini[thumb] +I", 34);
 }
 
 /* A picture that fails is a note with povray's own words, and the one before stays. */
@@ -343,28 +352,188 @@ static void povray_may_fail(void **state) {
   model.picture = (lam_picture){"plaza", "auto", 64, 36, "thumb"};
   static const struct {
     const char *script, *reason;
-  } rows[] = {
-      {"#!/bin/sh\necho half >tent.part.png; echo Hello\necho 'tent.pov line 3: Parse Error: no "
-       "such'\necho '  word'\necho 'Fatal error in parser: x'\nexit 1\n",
-       "tent.pov line 3: Parse Error: no such   word"},
-      {"#!/bin/sh\nprintf 'Error: 1\\n2\\n3\\n4\\n'\nexit 1\n", "Error: 1 2 3"},
-      {"#!/bin/sh\nexit 3\n", "it gave no reason"}};
+  } rows[] = {{"#!/bin/sh\necho half >.lamella-part.png; echo Hello\necho 'tent.pov line 3: Parse "
+               "Error: no "
+               "such'\necho '  word'\necho 'Fatal error in parser: x'\nexit 1\n",
+               "tent.pov line 3: Parse Error: no such   word"},
+              {"#!/bin/sh\nprintf 'Error: 1\\n2\\n3\\n4\\n'\nexit 1\n", "Error: 1 2 3"},
+              {"#!/bin/sh\nexit 3\n", "it gave no reason"}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     char expected[160];
     stand_in(f, "povray", rows[i].script);
     written_as(f, &model, (lam_write_options){.only = "pov"});
     put(path_in(f, f->out, "tent.png"), "old");
     lam_written w = written_as(f, &model, (lam_write_options){.only = "png"});
-    assert_int_equal(w.file_count, 0);
+    assert_int_equal(w.left_out, 1);
+    assert_string_not_equal(w.files[w.file_count - 1], path_in(f, f->out, "tent.png"));
     snprintf(expected, sizeof expected, "%s/tent.pov: povray failed: %s", f->out, rows[i].reason);
     assert_non_null(lam_session_notes(f->session));
     assert_string_equal(lam_session_notes(f->session)->text, expected);
     assert_string_equal(get(f, f->out, "tent.png"), "old");
-    assert_null(get(f, f->out, "tent.part.png"));
+    assert_null(get(f, f->out, ".lamella-part.png"));
   }
-  unlink(path_in(f, f->out, "tent.pov"));
-  written_as(f, &model, (lam_write_options){.only = "png"});
-  assert_non_null(strstr(lam_session_notes(f->session)->text, "tent.pov: there is no such scene"));
+}
+
+/* The scene of another model in the folder is not what is rendered. */
+static void a_picture_brings_its_scene(void **state) {
+  fixture *f = *state;
+  lam_model model = *f->model;
+  model.picture = (lam_picture){"plaza", "auto", 64, 36, "thumb"};
+  stand_in(f, "povray", "#!/bin/sh\ncp tent.pov .lamella-part.png\n");
+  mkdir(f->out, 0777);
+  put(path_in(f, f->out, "tent.pov"), "old");
+  lam_written w = written_as(f, &model, (lam_write_options){.only = "png"});
+  assert_int_equal(w.left_out, 0);
+  assert_non_null(strstr(get(f, f->out, "tent.png"), "Model_Parts"));
+  w = written_as(f, &model, (lam_write_options){.only = "png", .skip = "pov"});
+  assert_string_equal(w.files[w.file_count - 1], path_in(f, f->out, "tent.png"));
+}
+
+/* ---- what is there already ---- */
+
+static void refuse(fixture *f, lam_write_options options, const char *file, const char *text) {
+  assert_int_equal(lam_model_write(f->session, f->model, &options, NULL), LAM_BAD_INPUT);
+  assert_string_equal(lam_session_messages(f->session)->location.file, file);
+  assert_non_null(strstr(lam_session_messages(f->session)->text, text));
+}
+
+/* Directly, through a symbolic and through a hard link. */
+static void inputs_are_never_overwritten(void **state) {
+  fixture *f = *state;
+  char input[64], output[96];
+  snprintf(input, sizeof input, "%s/my start.obj", f->base);
+  snprintf(output, sizeof output, "%s/net.obj", f->out);
+  mkdir(f->out, 0777);
+  for (int hard = 0; hard < 2; hard++) {
+    assert_int_equal(hard ? link(input, output) : symlink(input, output), 0);
+    refuse(f, (lam_write_options){.folder = f->out}, output, "the model is made from this file");
+    assert_null(get(f, f->out, "report.json")); /* nothing was begun */
+    assert_null(get(f, f->out, ".lamella-files"));
+    written_as(f, f->model, (lam_write_options){.only = "report"});
+    unlink(path_in(f, f->out, "report.json"));
+    unlink(path_in(f, f->out, ".lamella-files"));
+    unlink(output);
+  }
+  refuse(f, (lam_write_options){.folder = f->out, .deps = input}, input, "made from this file");
+  lam_write_options nowhere = {.folder = ""};
+  assert_int_equal(lam_model_write(f->session, f->model, &nowhere, NULL), LAM_BAD_INPUT);
+  assert_first(f, "-o", "given an empty name; expected a folder");
+
+  /* listed by an earlier build, and an input now: it stays */
+  snprintf(output, sizeof output, "tent\nmy start.obj\nmy $tent #1.yaml\n");
+  put(path_in(f, f->base, ".lamella-files"), output);
+  lam_written w = written_as(f, f->model, (lam_write_options){.folder = f->base});
+  assert_int_equal(w.removed, 0);
+  assert_string_equal(get(f, f->base, "my start.obj"), start_text);
+}
+
+/* A folder that is a link is not written through, and a list does not reach through one. */
+static void links_do_not_lead_out(void **state) {
+  fixture *f = *state;
+  char outside[64], path[96];
+  snprintf(outside, sizeof outside, "%s/outside", f->base);
+  mkdir(outside, 0777);
+  mkdir(f->out, 0777);
+  put(path_in(f, outside, "victim"), "x");
+  assert_int_equal(symlink(outside, path_in(f, f->out, "parts")), 0);
+  put(path_in(f, f->out, ".lamella-files"), "tent\nparts/victim\n");
+  lam_written w = written_as(f, f->model, (lam_write_options){0});
+  assert_int_equal(w.removed, 0);
+  assert_non_null(get(f, outside, "victim"));
+
+  lam_part part = {.name = "A01a", .kind = "plate"};
+  static const lam_vec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  static const int triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  part.solid = (lam_trimesh){4, (lam_vec3 *)corners, 4, (int(*)[3])triangles};
+  lam_model model = *f->model;
+  model.part_count = 1;
+  model.parts = &part;
+  lam_write_options options = {.folder = f->out, .only = "stl"};
+  assert_int_equal(lam_model_write(f->session, &model, &options, NULL), LAM_BAD_INPUT);
+  snprintf(path, sizeof path, "%s/parts", f->out);
+  assert_string_equal(lam_session_messages(f->session)->location.file, path);
+  assert_null(get(f, outside, "A01a.stl"));
+}
+
+/* What a person has changed gets another name, and a note tells; what is the same, or gone, not. */
+static void changes_by_hand_are_kept(void **state) {
+  fixture *f = *state;
+  stand_in(f, "povray", "#!/bin/sh\ncp tent.pov .lamella-part.png\n");
+  written_as(f, f->model, (lam_write_options){0});
+  written_as(f, f->model, (lam_write_options){0});
+  assert_null(lam_session_notes(f->session));
+
+  char expected[256];
+  for (int i = 0; i < 2; i++) {
+    put(path_in(f, f->out, i ? "report.json" : "net.obj"), "mine");
+    written_as(f, f->model, (lam_write_options){0});
+    snprintf(expected, sizeof expected,
+             "%s was changed since the last build; the changed one is kept as %s", f->name,
+             i ? "report.json~" : "net.obj~");
+    assert_string_equal(lam_session_notes(f->session)->text, expected);
+    assert_string_equal(get(f, f->out, i ? "report.json~" : "net.obj~"), "mine");
+    assert_string_not_equal(get(f, f->out, i ? "report.json" : "net.obj"), "mine");
+  }
+  put(path_in(f, f->out, "net.obj"), "again");
+  written_as(f, f->model, (lam_write_options){.only = "obj"});
+  assert_string_equal(get(f, f->out, "net.obj~2"), "again");
+  assert_string_equal(get(f, f->out, "net.obj~"), "mine");
+
+  /* not made any more: it stays, too */
+  put(path_in(f, f->out, "net.obj"), "mine");
+  lam_model model = *f->model;
+  model.net = NULL;
+  written_as(f, &model, (lam_write_options){0});
+  assert_non_null(strstr(lam_session_notes(f->session)->text, "is not made any more, and stays"));
+  assert_string_equal(get(f, f->out, "net.obj"), "mine");
+}
+
+/* The list knows all files before the first is written; the report goes first and comes last. */
+static void an_interrupted_build_is_no_finished_one(void **state) {
+  fixture *f = *state;
+  char folder[96];
+  snprintf(folder, sizeof folder, "%s/net.obj", f->out);
+  written_as(f, f->model, (lam_write_options){.only = "obj,report"});
+  unlink(folder);
+  mkdir(folder, 0777); /* what cannot be replaced: writing ends here */
+  lam_write_options options = {.folder = f->out};
+  assert_int_equal(lam_model_write(f->session, f->model, &options, NULL), LAM_IO);
+  assert_null(get(f, f->out, "report.json"));
+  assert_non_null(strstr(get(f, f->out, ".lamella-files"), "tent.step\n"));
+  rmdir(folder);
+
+  /* what a build that was killed has left */
+  put(path_in(f, f->out, ".lamella-part"), "half");
+  put(path_in(f, f->out, ".lamella-part.png"), "half");
+  put(path_in(f, f->out, ".lamella-part.pov-state"), "half");
+  written_as(f, f->model, (lam_write_options){0});
+  assert_null(get(f, f->out, ".lamella-part"));
+  assert_null(get(f, f->out, ".lamella-part.png"));
+  assert_null(get(f, f->out, ".lamella-part.pov-state"));
+  assert_non_null(get(f, f->out, "report.json"));
+}
+
+/* GNU make reads every name that the rule has; a name that it cannot read is refused. */
+static void rules_survive_awkward_names(void **state) {
+  fixture *f = *state;
+  char out[96], deps[64], command[512];
+  snprintf(deps, sizeof deps, "%s/d", f->base);
+  for (const char *c = ":#$ *?[]~\"'&()<>!,+@{}"; *c; c++) {
+    snprintf(out, sizeof out, "%s/o%cx", f->base, *c);
+    written_as(f, f->model, (lam_write_options){.folder = out, .only = "report", .deps = deps});
+    /* 0: report.json is newer than all that it needs */
+    snprintf(command, sizeof command,
+             "cd %s && { cat d; printf '%%%%: ; @false\\n'; } >m && make -q -f m >log 2>&1",
+             f->base);
+    if (system(command) != 0) fail_msg("make does not read a path with %c", *c);
+  }
+  for (const char *c = ";=|%\\\t\n"; *c; c++) {
+    snprintf(out, sizeof out, "%s/n%cx", f->base, *c);
+    lam_write_options options = {.folder = out, .only = "report", .deps = deps};
+    assert_int_equal(lam_model_write(f->session, f->model, &options, NULL), LAM_BAD_INPUT);
+    assert_string_equal(lam_session_messages(f->session)->key, "--deps");
+    assert_int_equal(access(out, F_OK), -1);
+  }
 }
 
 /* ---- color maps ---- */
@@ -425,6 +594,12 @@ int main(void) {
       TEST(files_are_given_as_bytes),
       TEST(povray_gets_the_scene_and_the_size),
       TEST(povray_may_fail),
+      TEST(a_picture_brings_its_scene),
+      TEST(inputs_are_never_overwritten),
+      TEST(links_do_not_lead_out),
+      TEST(changes_by_hand_are_kept),
+      TEST(an_interrupted_build_is_no_finished_one),
+      TEST(rules_survive_awkward_names),
       TEST(maps_are_named_after_their_ending),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -8,6 +8,8 @@
 #include "design/design.h"
 #include "design/pipeline.h"
 #include "formats/list/formats.h"
+#include "library/session_state.h"
+#include <lamella/lamella.h>
 
 #include <malloc.h>
 #include <setjmp.h>
@@ -50,8 +52,7 @@ static size_t make(lam_arena *arena, lam_errors *errors, const char *text) {
   if (!obj->read_triangles(arena, obj_text, strlen(obj_text), (lam_location){0}, errors,
                            &reference))
     return 0;
-  if (!lam_design_parse(arena, &source, errors, &design))
-    return 0;
+  if (!lam_design_parse(arena, &source, errors, &design)) return 0;
   if (!lam_pipeline_run(arena, &design, &inputs, NULL, errors, &model)) return 0;
   for (int i = 0; i < model.report->stage_count; i++) model.report->stages[i].seconds = 0;
   if (!lam_report_converged(model.report)) return said_so;
@@ -222,6 +223,43 @@ static void complaining_survives(void **state) {
   exhaust(complain, 300, 1);
 }
 
+/* ---- sessions ---- */
+
+/* z = x y, with its derivatives up to the second. */
+static void saddle(const void *context, const double *numbers, double u, double v, lam_jet *jet) {
+  (void)context;
+  (void)numbers;
+  *jet = (lam_jet){.x = {u, v, u * v}, .u = {1, 0, v}, .v = {0, 1, u}, .uv = {0, 0, 1}};
+}
+
+/* Adds a surface with allocation n failing and `used` bytes of the session's first block gone. It
+ * is added, or the session knows nothing of it. Returns whether memory ran out. */
+static bool add_surface(long n, size_t used) {
+  const lam_surface_definition own = {
+      .name = "own-saddle", .u = {-1, 1}, .v = {-1, 1}, .eval = saddle};
+  lam_session *session;
+  const lam_surface *surface;
+  assert_int_equal(lam_session_new(&session), LAM_OK);
+  for (size_t i = 0; i < used; i += piece) lam_arena_alloc(session->arena, piece, 1);
+
+  lam_alloc_fail_after(n);
+  lam_status added = lam_surface_add(session, &own);
+  lam_alloc_fail_after(-1);
+  assert_int_equal(lam_surface_read(session, "own-saddle", &surface),
+                   added == LAM_OK ? LAM_OK : LAM_BAD_INPUT);
+  lam_session_free(session);
+  return added == LAM_NO_MEMORY;
+}
+
+/* The session's block ends at every place of the way in turn. */
+static void a_surface_is_added_or_not(void **state) {
+  (void)state;
+  int failures = 0;
+  for (size_t left = 0; left < 64; left++)
+    for (long n = 0; n < 3; n++) failures += add_surface(n, block - left * piece);
+  assert_true(failures > 64);
+}
+
 static int opened, closed;
 
 static void count_closed(void *handle) {
@@ -256,9 +294,13 @@ static void what_is_deferred_is_closed(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(what_is_deferred_is_closed),      cmocka_unit_test(a_design_survives),
-      cmocka_unit_test(a_net_near_a_reference_survives), cmocka_unit_test(reading_meshes_survives),
-      cmocka_unit_test(exchanging_splines_survives),     cmocka_unit_test(complaining_survives),
+      cmocka_unit_test(a_surface_is_added_or_not),
+      cmocka_unit_test(what_is_deferred_is_closed),
+      cmocka_unit_test(a_design_survives),
+      cmocka_unit_test(a_net_near_a_reference_survives),
+      cmocka_unit_test(reading_meshes_survives),
+      cmocka_unit_test(exchanging_splines_survives),
+      cmocka_unit_test(complaining_survives),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,24 +24,33 @@ typedef struct lam_write_options {
 typedef struct lam_written {
   int file_count;
   const char *const *files; /* paths that start with the folder; owned by the session */
-  int removed; /* files of the last build of this design that this one does not make: taken away.
+  int removed;  /* files of the last build of this design that this one does not make: taken away.
                   With only or skip none are */
+  int left_out; /* files that could not be made, such as a picture without POV-Ray; the session's
+                   notes say why */
 } lam_written;
 
-/* Whether the names in options->only and options->skip are formats: to be asked before a long
- * computation. The folder may be NULL here. LAM_BAD_INPUT, LAM_NO_MEMORY. */
+/* Whether the names in options->only and options->skip are formats, and no name is empty: to be
+ * asked before a long computation. The folder may be NULL here. LAM_BAD_INPUT, LAM_NO_MEMORY. */
 LAM_API lam_status lam_write_options_check(lam_session *session, const lam_write_options *options);
 
-/* Writes all that the model gives, and the templates that the files need beside them. The names of
- * the files are kept in folder/.lamella-files, for the next build of the same design. Every file
- * appears complete or not at all. A picture that cannot be rendered, because POV-Ray is missing or
- * fails, is a note (lam_session_notes) and no error.
+/* Writes all that the model gives, and the templates that the files need beside them. A format that
+ * is made from another one brings that with it: the picture its scene. The names of the files are
+ * kept in folder/.lamella-files, for the next build of the same design.
+ *
+ * Every file appears complete or not at all, and report.json last: when it is there, so is all
+ * else. While a build writes, no other one writes into the folder: it waits, up to ten minutes.
+ * Nothing that the model was made from is overwritten, and no link to a folder is followed. A file
+ * that was changed since the last build is kept as NAME~, with a note. A picture that cannot be
+ * rendered, because POV-Ray is missing or fails, is a note (lam_session_notes) and no error.
  *
  *   model    not changed
  *   written  may be NULL
  *
- *   LAM_BAD_INPUT  a format that does not exist
- *   LAM_IO         a file cannot be written, or the templates are not found
+ *   LAM_BAD_INPUT  a format that does not exist, an output that is an input or lies behind a link,
+ *                  a path that options->deps cannot name; nothing was written
+ *   LAM_IO         a file cannot be written, the templates are not found, or another build goes on
+ *                  writing into the folder
  *   LAM_FAILED     the library behind a format failed
  *   LAM_NO_MEMORY */
 LAM_API lam_status lam_model_write(lam_session *session, const lam_model *model,

@@ -57,7 +57,9 @@ typedef struct lam_measure_task {
   const double *axis;           /* 6 numbers: a point (meters) and the direction, of any length but
                                    0, of the axis of a surface of revolution; NULL: none */
   const char *map;              /* a measure to be drawn as a color map; NULL: none */
-  const char *map_path;         /* its file, .svg, .png or .glb; not NULL when map is given */
+  const char *map_path;         /* its file, .svg, .png or .glb; not NULL when map is given. A map
+                                   does not replace a file called name or reference_name */
+  const char *reference_name;   /* of the file of the reference; NULL: none */
 } lam_measure_task;
 
 /* What was measured; owned by the session. */

@@ -51,6 +51,14 @@ LAM_API void lam_session_set_progress(lam_session *session, const lam_progress *
  * NULL: the default again. LAM_NO_MEMORY is the only failure. */
 LAM_API lam_status lam_session_set_templates(lam_session *session, const char *folder);
 
+/* ---- the end of the process ---- */
+
+/* For a handler of signals that end the program (SIGINT, SIGTERM, ...): kills the outside programs
+ * that calls have started, and removes their temporary files. Async-signal-safe; nothing of the
+ * library may be called afterwards. The library sets no handlers itself. Without this, programs end
+ * with the thread that called, and the next build removes what is left in its folder. */
+LAM_API void lam_abandon(void);
+
 /* ---- linear algebra ---- */
 
 /* The instruction set that factorizations use on this processor ("avx512", "avx2", "neon",

@@ -73,8 +73,8 @@ typedef struct lam_picture_comparison {
 /* Compares two PNG files; what is transparent is laid on white. comparison is meaningful with
  * LAM_OK.
  *
- * mask where to write a picture (PNG) with the differing pixels in red, if the sizes are the same;
- *         NULL: nowhere
+ * mask  where to write a picture (PNG) with the differing pixels in red, if the sizes are the same;
+ *       not a or b; NULL: nowhere
  *
  *   LAM_BAD_INPUT  a file is no PNG picture, or too large
  *   LAM_IO         a file cannot be read, or the mask not be written

@@ -1,22 +1,55 @@
-/* The list of files of the last build: read, compared with what was made now, and written anew.
- * Called by models.c. */
+/* The list of files of the last build: read, searched, and written anew. Called by models.c and
+ * write_files.c. */
 #include "library/write/manifest.h"
-#include "core/file.h"
 #include "core/text.h"
 
-#include <stdio.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-static const size_t most_bytes = (size_t)1 << 24; /* of a list */
+static const char list_name[] = ".lamella-files";
+enum { hash_digits = 16 };
 
 static int by_name(const void *a, const void *b) {
-  return strcmp(*(const char *const *)a, *(const char *const *)b);
+  return strcmp(((const lam_listed_file *)a)->name, ((const lam_listed_file *)b)->name);
 }
 
-/* Whether a path stays inside the folder: a list that somebody has changed must not remove files
- * elsewhere. */
+void lam_manifest_sort(lam_manifest *manifest) {
+  lam_listed_file *files = manifest->files;
+  if (!manifest->count) return;
+  qsort(files, (size_t)manifest->count, sizeof *files, by_name);
+
+  int kept = 1;
+  for (int i = 1; i < manifest->count; i++) {
+    bool repeated = strcmp(files[i].name, files[kept - 1].name) == 0;
+    if (repeated) files[kept - 1].has_hash = false;
+    if (!repeated) files[kept++] = files[i];
+  }
+  manifest->count = kept;
+}
+
+uint64_t lam_manifest_hash(const void *bytes, size_t count) {
+  const unsigned char *at = bytes;
+  uint64_t hash = 14695981039346656037u;
+  for (size_t i = 0; i < count; i++) hash = (hash ^ at[i]) * 1099511628211u;
+  return hash;
+}
+
+/* ---- reading ---- */
+
+/* A line of the list, "NAME HASH" or "NAME", whose end is marked by a zero; the name is cut off. */
+static lam_listed_file read_line(char *line) {
+  lam_listed_file file = {.name = line};
+  char *blank = strrchr(line, ' ');
+  if (blank && strspn(blank + 1, "0123456789abcdef") == hash_digits && !blank[1 + hash_digits]) {
+    file.has_hash = true;
+    file.hash = strtoull(blank + 1, NULL, 16);
+    *blank = 0;
+  }
+  return file;
+}
+
+/* Whether a name stays inside the folder: others are not listed, whoever wrote them. */
 static bool is_inside(const char *name) {
   if (name[0] == 0 || name[0] == '/') return false;
   for (const char *at = name; at; at = strchr(at, '/') ? strchr(at, '/') + 1 : NULL)
@@ -24,59 +57,61 @@ static bool is_inside(const char *name) {
   return true;
 }
 
-/* The lines of the list that is there, behind the first one with the design's name; NULL when there
- * is no list, or one of another design. A list that cannot be read is none. */
-static char *read_list(lam_arena *arena, const char *path, const char *design) {
-  lam_errors unread = {.arena = arena};
-  char *bytes;
-  size_t count, length = strlen(design);
-  if (access(path, F_OK) != 0) return NULL;
-  if (lam_file_read(arena, path, most_bytes, &unread, &bytes, &count) != LAM_OK) return NULL;
+lam_manifest lam_manifest_read(lam_arena *arena, const lam_folder *folder) {
+  lam_manifest manifest = {0};
+  size_t count;
+  char *bytes = lam_folder_read(arena, folder, list_name, &count);
+  if (!bytes || strlen(bytes) != count) return manifest;
 
-  if (strlen(bytes) != count || strncmp(bytes, design, length) != 0 || bytes[length] != '\n')
-    return NULL;
-  return bytes + length + 1;
-}
+  int lines = 0;
+  for (const char *at = bytes; *at; at++) lines += *at == '\n';
+  manifest.files = LAM_NEW(arena, lam_listed_file, lines);
 
-static int line_count(const char *lines) {
-  int count = 0;
-  for (const char *at = lines; at && *at; at++) count += *at == '\n';
-  return count;
-}
-
-/* The design's name, then the names of the files, a line each, sorted: the same bytes every
- * time. */
-static void write_list(lam_arena *arena, const char *path, const char *design, int count,
-                       const char **names, lam_errors *errors) {
-  qsort(names, (size_t)count, sizeof *names, by_name);
-  lam_text text = {.arena = arena};
-  lam_text_printf(&text, "%s\n", design);
-  for (int i = 0; i < count; i++) lam_text_printf(&text, "%s\n", names[i]);
-  lam_file_write_atomic(path, text.data, text.length, errors);
-}
-
-/* The names of made files are searched before old ones are appended behind them. */
-int lam_manifest_update(lam_arena *arena, const char *folder, const char *design, int count,
-                        const char *const *made, bool partial, lam_errors *errors) {
-  const char *path = lam_arena_printf(arena, "%s/.lamella-files", folder);
-  char *old = read_list(arena, path, design);
-
-  /* What was made now, without the folder, sorted to be searched. */
-  const char **names = LAM_NEW(arena, const char *, count + line_count(old) + 1);
-  for (int i = 0; i < count; i++) names[i] = made[i] + strlen(folder) + 1;
-  qsort(names, (size_t)count, sizeof *names, by_name);
-
-  /* What was made before and not now goes, or stays in the list. */
-  int kept = count, removed = 0;
-  for (char *name = old, *end; name && (end = strchr(name, '\n')); name = end + 1) {
+  for (char *line = bytes, *end; (end = strchr(line, '\n')); line = end + 1) {
     *end = 0;
-    if (bsearch(&name, names, (size_t)count, sizeof *names, by_name) || !is_inside(name)) continue;
-    if (partial)
-      names[kept++] = name;
-    else
-      removed += unlink(lam_arena_printf(arena, "%s/%s", folder, name)) == 0;
+    if (!manifest.design)
+      manifest.design = line;
+    else if (is_inside(line))
+      manifest.files[manifest.count++] = read_line(line);
   }
+  lam_manifest_sort(&manifest);
+  return manifest;
+}
 
-  write_list(arena, path, design, kept, names, errors);
-  return removed;
+const lam_listed_file *lam_manifest_find(const lam_manifest *manifest, const char *name) {
+  const lam_listed_file key = {.name = name};
+  if (!manifest->count) return NULL;
+  return bsearch(&key, manifest->files, (size_t)manifest->count, sizeof key, by_name);
+}
+
+/* ---- writing ---- */
+
+lam_status lam_manifest_write(const lam_folder *folder, lam_manifest *manifest,
+                              lam_errors *errors) {
+  lam_text text = {.arena = errors->arena};
+  lam_manifest_sort(manifest);
+  lam_text_printf(&text, "%s\n", manifest->design);
+  for (int i = 0; i < manifest->count; i++) {
+    const lam_listed_file *file = &manifest->files[i];
+    lam_text_add(&text, file->name);
+    if (file->has_hash) lam_text_printf(&text, " %016" PRIx64, file->hash);
+    lam_text_add(&text, "\n");
+  }
+  return lam_folder_write(folder, list_name, text.data, text.length, errors);
+}
+
+/* ---- changes ---- */
+
+/* The bytes are given back at once: they may be many. */
+bool lam_manifest_changed(lam_arena *arena, const lam_folder *folder, const lam_manifest *old,
+                          const char *name) {
+  const lam_listed_file *listed = lam_manifest_find(old, name);
+  if (!listed || !listed->has_hash) return false;
+
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  size_t count;
+  const char *bytes = lam_folder_read(arena, folder, name, &count);
+  bool changed = bytes && lam_manifest_hash(bytes, count) != listed->hash;
+  lam_arena_release(arena, mark);
+  return changed;
 }

@@ -1,5 +1,6 @@
 /* Measuring nets from arrays, and drawing a measure as a color map. Called through lamella/net.h,
  * by cli/verb_measure.c. */
+#include "core/file.h"
 #include "core/numbers.h"
 #include "library/session_state.h"
 #include "library/write/write_map.h"
@@ -28,7 +29,13 @@ static lam_status check(lam_session *session, const lam_measure_task *task) {
   if (!task->map || !lam_measure_named(task->map, true, nowhere, "--map", &session->errors))
     return LAM_OK;
 
-  lam_measure_map_check(task->map_path, &session->errors);
+  if (!lam_measure_map_check(task->map_path, &session->errors)) return LAM_OK;
+  const char *const inputs[] = {task->name, task->reference_name};
+  for (int i = 0; i < 2; i++)
+    if (inputs[i] && lam_path_same(inputs[i], task->map_path))
+      lam_error_add(&session->errors, nowhere, "-o",
+                    "given %s, which is measured; expected another file for the map",
+                    task->map_path);
   return LAM_OK;
 }
 

@@ -4,19 +4,24 @@
 
 #include "core/error.h"
 #include "core/model.h"
+#include "library/write/folder.h"
 
-/* Renders dir/pov_name (NAME.pov) to dir/NAME.png. The picture appears complete or not at all; an
- * earlier one stays when rendering fails. It takes seconds to minutes.
+/* Renders a scene in a folder to a picture beside it. The picture appears complete or not at all;
+ * an earlier one stays when rendering fails. It takes seconds to minutes, and is given up after two
+ * hours.
  *
+ *   scene          its name in the folder, NAME.pov
+ *   name           of the picture in the folder
  *   picture        its size, and its quality: a section of render.ini
- *   templates_dir  whose folder pov is looked in for template files that do not stand in dir, as
- *                  lam_format.support lists them (POV-Ray's default rules forbid it to read
- *                  elsewhere); NULL: nowhere
+ *   templates_dir  whose folder pov is looked in for template files that do not stand beside the
+ *                  scene, as lam_format.support lists them (POV-Ray's default rules forbid it to
+ *                  read elsewhere); NULL: nowhere
  *
  *   LAM_MISSING_PROGRAM  povray is not installed: one message
  *   LAM_IO               no scene, or the picture cannot be put in place: one message
- *   LAM_FAILED           povray gave up: one message with its reason */
-lam_status lam_render_scene(const char *dir, const char *pov_name, const lam_picture *picture,
-                            const char *templates_dir, lam_errors *errors);
+ *   LAM_FAILED           povray gave up, or took too long: one message with its reason */
+lam_status lam_render_scene(const lam_folder *folder, const char *scene, const char *name,
+                            const lam_picture *picture, const char *templates_dir,
+                            lam_errors *errors);
 
 #endif

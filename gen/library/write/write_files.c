@@ -1,5 +1,5 @@
-/* The formats one after the other: names, bytes, files, templates beside them, the picture. Called
- * by models.c. */
+/* The formats one after the other: the plan of names, then bytes, files, templates beside them, the
+ * picture. Called by models.c. */
 #include "library/write/write_files.h"
 #include "core/file.h"
 #include "core/grow.h"
@@ -8,14 +8,7 @@
 
 #include <string.h>
 
-/* ---- lists ---- */
-
-/* Adds a path that is not there yet; it is kept by pointer. */
-static void remember(lam_arena *arena, lam_paths *paths, const char *path) {
-  for (int i = 0; i < paths->count; i++)
-    if (strcmp(paths->items[i], path) == 0) return;
-  LAM_APPEND(arena, paths->items, paths->count, paths->capacity, path);
-}
+/* ---- lists of formats ---- */
 
 /* Whether name stands in the comma-separated list, which may be NULL. */
 static bool listed(const char *only, const char *name) {
@@ -49,97 +42,173 @@ bool lam_output_check(const char *option, const char *list, lam_errors *errors) 
   return errors->count == before;
 }
 
+/* ---- the plan ---- */
+
+/* Adds a file; a template that several formats need is there once. */
+static void plan_file(lam_arena *arena, lam_output *output, lam_output_file file) {
+  for (int i = 0; file.template_path && i < output->count; i++)
+    if (strcmp(output->files[i].name, file.name) == 0) return;
+  LAM_APPEND(arena, output->files, output->count, output->capacity, file);
+}
+
+/* Whether the lists allow a format, or a format that is made from it. */
+static bool is_wanted(const lam_output *output, const lam_format *format) {
+  if ((!output->only || listed(output->only, format->name)) && !listed(output->skip, format->name))
+    return true;
+  for (int i = 0; i < lam_format_count; i++) {
+    const char *needs = lam_formats[i]->needs;
+    if (needs && strcmp(needs, format->name) == 0 && is_wanted(output, lam_formats[i])) return true;
+  }
+  return false;
+}
+
+/* All files of a format, then the templates that have to stand beside them, by their own names. */
+static void plan_format(lam_arena *arena, const lam_model *model, const lam_format *format,
+                        lam_output *output) {
+  int files = format->count(model);
+  for (int i = 0; i < files; i++) {
+    lam_text name = {.arena = arena};
+    format->path(model, i, &name);
+    plan_file(arena, output, (lam_output_file){.name = name.data, .format = format, .index = i});
+  }
+
+  if (files == 0 || !format->support) return;
+  for (const char *const *names = format->support(arena, model); names && *names; names++) {
+    const char *slash = strrchr(*names, '/');
+    const char *path = lam_arena_printf(arena, "%s/%s", output->templates, *names);
+    plan_file(arena, output,
+              (lam_output_file){slash ? slash + 1 : *names, format, 0, path, false, 0});
+  }
+}
+
+/* In the order of the list of formats, in which the scene stands before its picture. */
+void lam_output_plan(lam_arena *arena, const lam_model *model, lam_output *output) {
+  for (int i = 0; i < lam_format_count; i++)
+    if (lam_formats[i]->count && is_wanted(output, lam_formats[i]))
+      plan_format(arena, model, lam_formats[i], output);
+}
+
 /* ---- files ---- */
 
-/* Writes one file, whose name may have folders in it, and remembers it. */
-static lam_status write_file(lam_arena *arena, lam_output *output, const char *name,
-                             const lam_text *text, lam_errors *errors) {
-  const char *path = lam_arena_printf(arena, "%s/%s", output->folder, name);
-  const char *slash = strrchr(path, '/');
+/* What all steps of writing need. */
+typedef struct writing {
+  lam_arena *arena;
+  const lam_model *model;
+  lam_output *output;
+  const lam_folder *folder;
+  const lam_manifest *old;
+  lam_errors *notes, *errors;
+} writing;
 
-  lam_status status =
-      lam_path_make_dirs(lam_arena_printf(arena, "%.*s", (int)(slash - path), path), errors);
-  if (status == LAM_OK)
-    status = lam_file_write_atomic(path, text->data ? text->data : "", text->length, errors);
-  if (status == LAM_OK) remember(arena, &output->files, path);
+/* The first name of the kind NAME~, NAME~2, ... that is free, without its folders. */
+static const char *free_name(const writing *w, const char *name) {
+  const char *kept = lam_arena_printf(w->arena, "%s~", name);
+  for (int i = 2; lam_folder_has(w->folder, kept); i++)
+    kept = lam_arena_printf(w->arena, "%s~%d", name, i);
+  const char *slash = strrchr(kept, '/');
+  return slash ? slash + 1 : kept;
+}
+
+/* What somebody has changed since the last build is not lost: it gets another name, unless the new
+ * bytes are the same. */
+static void keep_changes(const writing *w, const lam_output_file *file) {
+  if (!lam_manifest_changed(w->arena, w->folder, w->old, file->name)) return;
+
+  size_t count;
+  const char *bytes = lam_folder_read(w->arena, w->folder, file->name, &count);
+  if (bytes && lam_manifest_hash(bytes, count) == file->hash) return;
+
+  const char *kept = free_name(w, file->name);
+  if (lam_folder_rename(w->folder, file->name, kept) == 0)
+    lam_error_add(w->notes, (lam_location){0}, NULL,
+                  "%s/%s was changed since the last build; the changed one is kept as %s",
+                  w->folder->path, file->name, kept);
+}
+
+/* Writes one file of the plan. A name that two files have is written twice, and was not changed by
+ * anybody in between. */
+static lam_status write_bytes(const writing *w, lam_output_file *file, const void *bytes,
+                              size_t count) {
+  bool again = false;
+  for (int i = 0; i < w->output->count && !again; i++)
+    again = w->output->files[i].written && strcmp(w->output->files[i].name, file->name) == 0;
+
+  file->hash = lam_manifest_hash(bytes, count);
+  if (!again) keep_changes(w, file);
+  lam_status status = lam_folder_write(w->folder, file->name, bytes, count, w->errors);
+  file->written = status == LAM_OK;
   return status;
 }
 
-/* Copies the templates that have to stand beside the output; names are relative to their folder,
- * and NULL-terminated; names may be NULL. */
-static lam_status copy_support(lam_arena *arena, lam_output *output, const char *const *names,
-                               lam_errors *errors) {
-  for (; names && *names; names++) {
-    const char *from = lam_arena_printf(arena, "%s/%s", output->templates, *names);
-    const char *base = strrchr(*names, '/') ? strrchr(*names, '/') + 1 : *names;
-
-    lam_text text = {.arena = arena};
-    char *bytes;
-    size_t count;
-    lam_status status = lam_file_read(arena, from, (size_t)1 << 24, errors, &bytes, &count);
-    if (status != LAM_OK) return status;
-
-    lam_text_bytes(&text, bytes, count);
-    status = write_file(arena, output, base, &text, errors);
-    if (status != LAM_OK) return status;
-    remember(arena, &output->used_templates, from);
-  }
-  return LAM_OK;
+/* A copy of a template. */
+static lam_status copy_template(const writing *w, lam_output_file *file) {
+  char *bytes;
+  size_t count;
+  lam_status status =
+      lam_file_read(w->arena, file->template_path, (size_t)1 << 24, w->errors, &bytes, &count);
+  return status == LAM_OK ? write_bytes(w, file, bytes, count) : status;
 }
 
-/* Writes all files of a format, then its templates. Ends at the first failure. */
-static lam_status write_format(lam_arena *arena, const lam_model *model, const lam_format *format,
-                               lam_output *output, lam_errors *errors) {
-  int files = format->count(model);
-  for (int i = 0; i < files; i++) {
-    lam_text name = {.arena = arena}, content = {.arena = arena};
-    format->path(model, i, &name);
-
-    lam_status status = format->write(model, i, &content);
-    if (status != LAM_OK) {
-      lam_error_add(errors, (lam_location){.file = name.data}, NULL, "the library behind %s failed",
-                    format->name);
-      return status;
-    }
-
-    status = write_file(arena, output, name.data, &content, errors);
-    if (status != LAM_OK) return status;
+/* What the format makes. */
+static lam_status write_content(const writing *w, lam_output_file *file) {
+  lam_text content = {.arena = w->arena};
+  lam_status status = file->format->write(w->model, file->index, &content);
+  if (status != LAM_OK) {
+    lam_error_add(w->errors, (lam_location){.file = file->name}, NULL,
+                  "the library behind %s failed", file->format->name);
+    return status;
   }
-
-  if (files == 0 || !format->support) return LAM_OK;
-  return copy_support(arena, output, format->support(arena, model), errors);
+  return write_bytes(w, file, content.data ? content.data : "", content.length);
 }
 
 /* Renders the scene that was written before. A failure is a note: the files are good without the
  * picture. */
-static lam_status render(lam_arena *arena, const lam_model *model, lam_output *output,
-                         lam_errors *notes) {
-  lam_text scene = {.arena = arena}, picture = {.arena = arena};
-  lam_text_printf(&scene, "%s.pov", model->name);
-  lam_text_printf(&picture, "%s/%s.png", output->folder, model->name);
+static lam_status render(const writing *w, lam_output_file *file) {
+  lam_text scene = {.arena = w->arena};
+  lam_text_printf(&scene, "%s.pov", w->model->name);
+  lam_progress_tell(w->output->progress, "render", -1, w->model->picture.quality);
+  keep_changes(w, file);
 
-  lam_progress_tell(output->progress, "render", -1, model->picture.quality);
-  lam_status status =
-      lam_render_scene(output->folder, scene.data, &model->picture, output->templates, notes);
-  if (status == LAM_OK) remember(arena, &output->files, picture.data);
-  return status;
+  lam_status status = lam_render_scene(w->folder, scene.data, file->name, &w->model->picture,
+                                       w->output->templates, w->notes);
+  if (status != LAM_OK) {
+    w->output->left_out++;
+    return LAM_OK;
+  }
+
+  size_t count;
+  lam_arena_mark mark = lam_arena_mark_get(w->arena);
+  const char *bytes = lam_folder_read(w->arena, w->folder, file->name, &count);
+  file->written = bytes != NULL;
+  if (bytes) file->hash = lam_manifest_hash(bytes, count);
+  lam_arena_release(w->arena, mark);
+  return LAM_OK;
 }
 
-/* In the order of the list of formats, in which the scene stands before its picture. */
-lam_status lam_output_write(lam_arena *arena, const lam_model *model, lam_output *output,
-                            lam_errors *notes, lam_errors *errors) {
-  lam_status status = lam_path_make_dirs(output->folder, errors);
-  for (int i = 0; status == LAM_OK && i < lam_format_count; i++) {
-    const lam_format *format = lam_formats[i];
-    bool wanted = (!output->only || listed(output->only, format->name)) &&
-                  !listed(output->skip, format->name);
-    if (!wanted || !format->count || format->count(model) == 0) continue;
+/* Where a format stands in the list, as a share of it. */
+static double place_of(const lam_format *format) {
+  int i = 0;
+  while (i < lam_format_count - 1 && lam_formats[i] != format) i++;
+  return (double)i / lam_format_count;
+}
 
-    lam_progress_tell(output->progress, format->name, (double)i / lam_format_count, "");
-    if (format->write)
-      status = write_format(arena, model, format, output, errors);
-    else if (render(arena, model, output, notes) == LAM_NO_MEMORY)
-      status = LAM_NO_MEMORY;
+lam_status lam_output_write(lam_arena *arena, const lam_model *model, lam_output *output,
+                            const lam_folder *folder, const lam_manifest *old, bool last,
+                            lam_errors *notes, lam_errors *errors) {
+  const writing w = {arena, model, output, folder, old, notes, errors};
+  const lam_format *told = NULL;
+  lam_status status = LAM_OK;
+  for (int i = 0; status == LAM_OK && i < output->count; i++) {
+    lam_output_file *file = &output->files[i];
+    if (file->format->last != last) continue;
+    if (file->format != told)
+      lam_progress_tell(output->progress, file->format->name, place_of(file->format), "");
+    told = file->format;
+
+    if (file->template_path)
+      status = copy_template(&w, file);
+    else
+      status = file->format->write ? write_content(&w, file) : render(&w, file);
   }
   return status;
 }

@@ -8,9 +8,11 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -138,6 +140,39 @@ static void timeout_ends_the_program_and_its_children(void **state) {
                    LAM_FAILED);
 }
 
+/* Descriptors that this process has open. */
+static int open_descriptors(void) {
+  int count = 0;
+  for (int i = 0; i < 256; i++) count += fcntl(i, F_GETFD) >= 0;
+  return count;
+}
+
+/* Runs a program that says much and goes on for ever, until memory for what it says runs out. The
+ * arena of the output is the one that is released. */
+static void say_too_much(lam_arena *arena) {
+  jmp_buf point;
+  lam_errors errors = {.arena = arena};
+  lam_text output = {.arena = arena};
+  const char *arguments[] = {"sh", "-c", "yes | head -c 3000000; exec sleep 100", NULL};
+  const lam_process process = {.arguments = arguments, .output = &output};
+  if (!LAM_ARENA_TRY(arena, point)) return;
+  lam_alloc_fail_after(2);
+  lam_process_run(&process, NULL, &errors);
+  fail_msg("memory did not run out");
+}
+
+/* A jump neither leaves the program running nor its pipe open. waitpid finds no child any more. */
+static void memory_that_runs_out_ends_the_program(void **state) {
+  (void)state;
+  int before = open_descriptors();
+  lam_arena *arena = lam_arena_new();
+  say_too_much(arena);
+  lam_alloc_fail_after(-1);
+  lam_arena_free(arena);
+  assert_int_equal(open_descriptors(), before);
+  assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
+}
+
 static void missing_program_names_its_package(void **state) {
   bench *b = *state;
   const char *arguments[] = {"no-such-program-here", NULL};
@@ -163,6 +198,7 @@ int main(void) {
       CASE(folder_and_output_file_are_used),
       CASE(input_is_empty),
       CASE(timeout_ends_the_program_and_its_children),
+      CASE(memory_that_runs_out_ends_the_program),
       CASE(missing_program_names_its_package),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
