@@ -29,6 +29,7 @@ typedef struct lam_format {
   const char *doc;    /* one sentence */
   const char *ending; /* of the files it reads, for instance "obj" or "step stp"; NULL when it only
                          writes */
+  double unit; /* of the coordinates of meshes that it reads, meters: what they are taken for */
   /* How many files the model gives (0: nothing to write). NULL: a reader only. */
   int (*count)(const lam_model *model);
   /* The name of file i relative to the output folder, for instance "parts/A07a.stl". */

@@ -26,6 +26,8 @@
   row(plot_gltf) \
   row(frames) \
   row(animation) \
+  row(off) \
+  row(ply) \
   row(points)
 /* clang-format on */
 
