@@ -162,6 +162,8 @@ static void report_net(const lam_build *build, const lam_net_kind *kind,
                  result->drift);
 
   /* What is not always so. */
+  for (int i = 0; i < build->inputs->net_note_count; i++)
+    lam_stage_note(build->arena, stage, "%s", build->inputs->net_notes[i]);
   if (result->levels)
     lam_stage_note(build->arena, stage, "%d coarser nets solved first", result->levels);
   if (result->skipped)
