@@ -256,6 +256,7 @@ const lam_format lam_format_obj = {
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
     .read_mesh = read_mesh,
     .read_triangles = read_triangles,
     .read_surfaces = lam_obj_read_surfaces,

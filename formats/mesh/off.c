@@ -1,8 +1,8 @@
 /* The reader `off` (listed in formats/list/formats.c): meshes in the Object File Format of
  * Geomview, as text. Behind the word OFF stand the numbers of vertices, faces and edges, then a
  * line for each vertex (x y z) and for each face (the number of its corners and the corners, from
- * 0). Colors, normals and texture coordinates, which COFF, NOFF and STOFF have, follow in these lines
- * and are not read. Called through the list of formats by gen/library/read_files.c. */
+ * 0). Colors, normals and texture coordinates, which COFF, NOFF and STOFF have, follow in these
+ * lines and are not read. Called through the list of formats by gen/library/read_files.c. */
 #include "formats/format.h"
 #include "formats/mesh/polygons.h"
 #include "formats/scan.h"

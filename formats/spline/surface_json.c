@@ -288,6 +288,7 @@ const lam_format lam_format_surface = {
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
     .read_surfaces = read_surfaces,
     .read_curves = read_curves,
 };

@@ -7,6 +7,7 @@
 #include "core/grow.h"
 #include "design/pipeline.h"
 #include "design/tree.h"
+#include "formats/in_place.h"
 #include "library/read_files.h"
 #include "library/start_mesh.h"
 #include "net/measures/measure_map.h"
@@ -208,7 +209,7 @@ static const lam_mesh *build_net(lam_session *session, const char *path, lam_loc
     lam_error_add(errors, location, "net.from.design", "%s has no net", path);
   else if (!lam_report_converged(model->report))
     lam_error_add(errors, location, "net.from.design", "the net of %s does not converge", path);
-  return errors->count == before ? model->net : NULL;
+  return errors->count == before ? lam_model_in_place(session->arena, model)->net : NULL;
 }
 
 /* What the net starts from, when that is a file or another design. False with messages. */

@@ -82,7 +82,9 @@ static bool prepare(optimization *o) {
   }
 
   prepare_reference(o);
-  o->handles = lam_handles_resolve(o->arena, o->keys, o->net, o->net->mesh.vertices,
+  lam_net_common keys = *o->keys;
+  keys.handles = lam_handles_moved(o->arena, keys.handles, o->job->origin);
+  o->handles = lam_handles_resolve(o->arena, &keys, o->net, o->net->mesh.vertices,
                                    o->job->location, o->errors);
   if (o->errors->count > errors_before) return false;
 
@@ -152,6 +154,7 @@ static bool begin_on_coarse_net(optimization *o, lam_net_result *result) {
   lam_net_kind kind = *o->job->kind;
   kind.levels = levels - 1;
   lam_net_job job = *o->job;
+  job.origin = lam_v3(0, 0, 0); /* the handles are about it already */
   job.common = &keys;
   job.kind = &kind;
   if (!lam_net_optimize(o->arena, &job, &coarse.net, o->errors, result)) return false;
@@ -329,6 +332,7 @@ static bool solve_step(optimization *o, lam_net_result *result) {
   lam_scope scope = {.problem = problem,
                      .net = o->net,
                      .unit = o->unit,
+                     .origin = o->job->origin,
                      .reference = o->reference_tree,
                      .reference_mesh = &o->reference,
                      .errors = o->errors};

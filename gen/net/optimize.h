@@ -11,6 +11,8 @@ typedef struct lam_net_job {
   const void *params;           /* of kind->head.keys; NULL when it has none */
   const lam_net_common *common; /* the keys that every net accepts */
   const lam_trimesh *reference; /* meters; NULL: none */
+  lam_vec3 origin; /* of the net and the reference, in the coordinates of places that keys name,
+                      meters */
   lam_location location;        /* of the net in the design, for messages */
   const lam_progress *progress; /* NULL: nobody listens */
 } lam_net_job;

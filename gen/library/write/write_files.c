@@ -3,6 +3,7 @@
 #include "library/write/write_files.h"
 #include "core/file.h"
 #include "core/grow.h"
+#include "formats/in_place.h"
 #include "formats/list/formats.h"
 #include "library/write/render.h"
 
@@ -91,6 +92,7 @@ static lam_status copy_support(lam_arena *arena, lam_output *output, const char 
 static lam_status write_format(lam_arena *arena, const lam_model *model, const lam_format *format,
                                lam_output *output, lam_errors *errors) {
   int files = format->count(model);
+  if (format->in_place) model = lam_model_in_place(arena, model);
   for (int i = 0; i < files; i++) {
     lam_text name = {.arena = arena}, content = {.arena = arena};
     format->path(model, i, &name);
