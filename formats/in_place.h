@@ -7,8 +7,8 @@
 #include "core/model.h"
 
 /* The model itself when its origin is (0, 0, 0); otherwise a copy in arena whose positions are
- * those of the world, and whose origin is (0, 0, 0). Maps, prints, records and sheets are shared with the
- * model: they stay. */
+ * those of the world, and whose origin is (0, 0, 0). Maps, prints, records and sheets stay: they
+ * are shared with the model. */
 const lam_model *lam_model_in_place(lam_arena *arena, const lam_model *model);
 
 #endif

@@ -173,6 +173,10 @@ static void report_net(const lam_build *build, const lam_net_kind *kind,
     lam_stage_note(build->arena, stage, "%d coarser nets solved first", result->levels);
   if (result->skipped)
     lam_stage_note(build->arena, stage, "%ld irregular vertices left out", result->skipped);
+  if (result->reference_weight > 0 && result->converged)
+    lam_stage_note(build->arena, stage, "the reference was followed with a weight of %.3g",
+                   result->reference_weight);
+  if (result->hint) lam_stage_note(build->arena, stage, "%s", result->hint);
   if (!result->converged && result->solution.worst)
     lam_stage_note(build->arena, stage, "largest residual: %s", result->solution.worst);
 }

@@ -61,7 +61,9 @@ static const lam_key reference_keys[] = {
     LAM_CHOICE_KEY(lam_reference_keys, "unit", unit, "auto", unit_choices,
                    "The unit of the file's coordinates. auto: millimeters in STL, else meters."),
     LAM_NUMBER_KEY(lam_reference_keys, "weight", weight, "0.1", 1e-6, 1e3,
-                   "Weight of the distance against the constraints."),
+                   "Weight of the distance against the constraints. Left out: as large as the net "
+                   "follows without folding or collapsing, from 0.001 to 0.1.",
+                   LAM_GIVEN(lam_reference_keys, weight_given)),
     {0}};
 
 static const char *const methods[] = {"lamella", "thesis", NULL};

@@ -25,6 +25,7 @@ typedef struct lam_net_kind {
   int levels;            /* default of the key `levels`: coarse nets that are solved first */
   lam_schedule schedule; /* default */
   lam_guide guide;       /* default */
+  double file_closeness; /* at least so much closeness where the start is a file; 0: no matter */
 
   /* Adds the hard constraints. params: the struct of head.keys, or NULL when it has none. On
    * wrong input adds to scope->errors. */
@@ -91,7 +92,8 @@ typedef struct lam_handle {
 typedef struct lam_reference_keys {
   const char *file; /* NULL: none */
   int unit;         /* of the file: an index into lam_file_units */
-  double weight;    /* of the distance against the constraints */
+  double weight;    /* of the distance against the constraints; meaningful when given */
+  bool weight_given;
 } lam_reference_keys;
 
 /* The units that a mesh file can be read in, after "auto" (that of its format), which is 0 meters;
