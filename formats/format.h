@@ -32,12 +32,16 @@ typedef struct lam_format {
   const char *needs;  /* the format that its files are made from, and that is written with it; NULL:
                          none */
   bool last;          /* written when all others are there: the target of make rules */
+  double unit; /* of the coordinates of meshes that it reads, meters: what they are taken for */
   /* How many files the model gives (0: nothing to write). NULL: a reader only. */
   int (*count)(const lam_model *model);
   /* The name of file i relative to the output folder, for instance "parts/A07a.stl". */
   void (*path)(const lam_model *model, int i, lam_text *path);
   /* The content of file i. LAM_OK, or LAM_FAILED when an outside library failed. */
   lam_status (*write)(const lam_model *model, int i, lam_text *out);
+  /* Written where the model stands, because its numbers have enough digits; others are written
+   * about model->origin, and say so in their own way where they can. */
+  bool in_place;
   /* NULL-terminated list of template files (relative to templates/) that must stand beside the
    * output; may be NULL. They depend on the model (a scene needs only its own setting). */
   const char *const *(*support)(lam_arena *arena, const lam_model *model);

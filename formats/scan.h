@@ -1,5 +1,5 @@
-/* Words, lines and numbers of a text file that is being read. Used by the readers of OBJ, STL and
- * points (formats/mesh), IGES (formats/iges) and STEP (formats/step). */
+/* Words, lines and numbers of a text file that is being read. Used by the readers of OBJ, OFF,
+ * PLY, STL and points (formats/mesh), IGES (formats/iges) and STEP (formats/step). */
 #ifndef LAM_FORMATS_SCAN_H
 #define LAM_FORMATS_SCAN_H
 
@@ -20,10 +20,19 @@ typedef struct lam_scan {
   lam_errors *errors;
   int errors_before; /* messages that were there when reading began */
   locale_t plain;    /* numbers with a decimal point; closed with the arena */
+  bool joins; /* a backslash at the end of a line joins the next one to it, but not in comments;
+                 set behind lam_scan_begin by readers of languages that have this (OBJ) */
 } lam_scan;
 
+/* The bytes of the line end that text begins with: LF, CR LF, or CR alone; 0: there is none. */
+int lam_line_end(const char *at, const char *end);
+
+/* The bytes of the byte order mark of UTF-8 that a text begins with, 3 or 0. */
+int lam_utf8_mark(const char *bytes, size_t count);
+
 /* Starts reading count bytes, which must stay as long as the scan and its words are used; they need
- * not be terminated. Messages go to errors, with location's file and the current line. */
+ * not be terminated. A byte order mark of UTF-8 is passed over. Messages go to errors, with
+ * location's file and the current line. */
 lam_scan lam_scan_begin(lam_arena *arena, const char *bytes, size_t count, lam_location location,
                         lam_errors *errors);
 /* The next word of the current line; false at its end. Words are parted by blanks; a # starts a
@@ -37,6 +46,12 @@ bool lam_word_is(lam_word word, const char *text);
 int lam_word_shown(lam_word word);
 /* The word as a finite decimal number; otherwise false, with a message that begins with `what`. */
 bool lam_scan_number(lam_scan *scan, lam_word word, const char *what, double *number);
+/* The word as a whole number, from 0 to the largest int; otherwise false, with a message as
+ * above. */
+bool lam_scan_count(lam_scan *scan, lam_word word, const char *what, int *number);
+/* The next word, wherever lines end; false at the end of the text, with a message that `what` is
+ * missing. */
+bool lam_scan_next(lam_scan *scan, const char *what, lam_word *word);
 /* Three numbers from the current line, as they stand; otherwise false, with a message that begins
  * with `what`, and the point is left as it was. */
 bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point);

@@ -98,7 +98,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   meshes[1] = lines(out->arena, model, &meshes[0]);
 
   lam_gltf_node nodes[3] = {
-      {.name = model->name, .parent = -1, .mesh = -1, .matrix = lam_gltf_y_up},
+      {.name = model->name, .parent = -1, .mesh = -1, .matrix = lam_gltf_root(out->arena, model)},
       {.name = "faces", .parent = 0, .mesh = 0},
       {.name = "lines", .parent = 0, .mesh = 1}};
 

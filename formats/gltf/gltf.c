@@ -197,7 +197,7 @@ static void add_family(builder *b, int root, int family) {
  * else. */
 static void add_nodes(builder *b) {
   const lam_model *model = b->model;
-  int root = add_node(b, model->name, -1, -1, lam_gltf_y_up);
+  int root = add_node(b, model->name, -1, -1, lam_gltf_root(b->arena, model));
   for (int family = 0; family < 3; family++) add_family(b, root, family);
 
   int prints = model->print ? model->print->count : 0;

@@ -2,8 +2,19 @@
 #include "formats/gltf/gltf_scene.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 const double lam_gltf_y_up[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+
+/* (x, y, z) goes to (x, z, -y). */
+const double *lam_gltf_root(lam_arena *arena, const lam_model *model) {
+  double *matrix = LAM_NEW(arena, double, 16);
+  memcpy(matrix, lam_gltf_y_up, sizeof lam_gltf_y_up);
+  matrix[12] = model->origin.x;
+  matrix[13] = model->origin.z;
+  matrix[14] = 0 - model->origin.y;
+  return matrix;
+}
 
 void lam_gltf_vector(float *to, lam_vec3 v) {
   to[0] = (float)v.x + 0.f; /* -0 + 0 is 0 */

@@ -230,6 +230,7 @@ const lam_format lam_format_iges = {
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
     .read_surfaces = lam_iges_read_surfaces,
     .read_curves = lam_iges_read_curves,
 };

@@ -69,13 +69,14 @@ static bool split(reader *r) {
   const char *at = r->scan.at, *end = r->scan.end;
   bool ended = false;
   for (int number = 1; at < end && !ended; number++) {
-    const char *newline = memchr(at, '\n', (size_t)(end - at)), *stop = newline ? newline : end;
+    const char *stop = at;
+    while (stop < end && !lam_line_end(stop, end)) stop++;
     if (stop - at <= section_column)
       return lam_iges_fail_at(r, number == 1 ? 0 : number,
                               number == 1 ? "is not an IGES file: its lines are not of 80 columns"
                                           : "a line of 80 columns expected");
     if (!take_line(r, (line){at, number}, &ended)) return false;
-    at = newline ? newline + 1 : end;
+    at = stop + lam_line_end(stop, end);
   }
 
   if (!ended) return lam_iges_fail_at(r, 0, "is cut off: it has no terminate section");

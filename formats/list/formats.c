@@ -25,6 +25,8 @@
   row(plot_gltf) \
   row(frames) \
   row(animation) \
+  row(off) \
+  row(ply) \
   row(points) \
   row(report)
 /* clang-format on */

@@ -23,4 +23,5 @@ const lam_format lam_format_frames = {
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
 };

@@ -3,10 +3,9 @@
  * coordinates, normals, lines, groups and materials are passed over. Free-form geometry is read
  * by surface_obj_read.c. */
 #include "formats/mesh/obj.h"
-#include "core/grow.h"
 #include "core/solid/triangles.h"
 #include "formats/format.h"
-#include "formats/scan.h"
+#include "formats/mesh/polygons.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -115,33 +114,17 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
 
 /* ---- reading ---- */
 
-/* A growing list of numbers. */
-typedef struct int_list {
-  int count, capacity;
-  int *items;
-} int_list;
-
-/* What was read so far. */
 typedef struct reader {
   lam_scan scan;
-  lam_arena *arena;
-  int vertex_count, vertex_capacity;
-  lam_vec3 *vertices;
-  int_list corners;       /* of all faces, counted from 0 */
-  int_list starts, lines; /* per face: its first corner, where it stands */
-  int most_corners;
+  lam_polygons polygons; /* what was read so far */
 } reader;
-
-static void append(lam_arena *arena, int_list *list, int item) {
-  LAM_APPEND(arena, list->items, list->count, list->capacity, item);
-}
 
 /* v x y z, which may be followed by a weight or a color. A wrong vertex keeps its number, so that
  * the faces below stay right. */
 static void read_vertex(reader *r) {
   lam_vec3 p = {0};
   lam_scan_point(&r->scan, "vertex", &p);
-  LAM_APPEND(r->arena, r->vertices, r->vertex_count, r->vertex_capacity, p);
+  lam_polygons_vertex(&r->polygons, p);
 }
 
 /* A corner v, v/vt, v//vn or v/vt/vn: its first number, from 1 or negative; 0 when the word is
@@ -168,7 +151,7 @@ static int parse_corner(lam_word word) {
  * vertex that stands above. False with a message. Numbers that are too large are found at the
  * end. */
 static bool read_corner(reader *r, lam_word word, int *vertex) {
-  int corner = parse_corner(word);
+  int corner = parse_corner(word), above = r->polygons.vertex_count;
   if (corner == 0) {
     lam_error_add(r->scan.errors, r->scan.location, NULL,
                   "face: \"%.*s\" given, a vertex number such as 12 or 12/3/4 (from 1, or "
@@ -176,136 +159,91 @@ static bool read_corner(reader *r, lam_word word, int *vertex) {
                   lam_word_shown(word), word.text);
     return false;
   }
-  if (corner < -r->vertex_count) {
+  if (corner < -above) {
     lam_error_add(r->scan.errors, r->scan.location, NULL,
-                  "face: vertex %d given, but only %d vertices stand above it", corner,
-                  r->vertex_count);
+                  "face: vertex %d given, but only %d vertices stand above it", corner, above);
     return false;
   }
 
-  *vertex = corner < 0 ? r->vertex_count + corner : corner - 1;
+  *vertex = corner < 0 ? above + corner : corner - 1;
   return true;
 }
 
 /* f and its corners. A wrong face adds a message and no face; reading goes on. */
 static void read_face(reader *r) {
   lam_word word;
-  int start = r->corners.count;
+  int start = r->polygons.corners.count;
   while (lam_scan_word(&r->scan, &word)) {
     int vertex;
     if (!read_corner(r, word, &vertex)) return;
-    append(r->arena, &r->corners, vertex);
+    lam_polygons_corner(&r->polygons, vertex);
   }
-
-  int corners = r->corners.count - start;
-  if (corners < 3 || corners > r->most_corners) {
-    const char *expected = r->most_corners == 4 ? "3 or 4" : "3 or more";
-    lam_error_add(r->scan.errors, r->scan.location, NULL, "face: %d corners given, %s expected",
-                  corners, expected);
-    return;
-  }
-  append(r->arena, &r->starts, start);
-  append(r->arena, &r->lines, r->scan.location.line);
+  lam_polygons_face(&r->polygons, start, r->scan.location, r->scan.errors);
 }
 
-static void pass_over(reader *r) { (void)r; }
-
-/* Statements by name; those of other content are known, but passed over. */
-static const struct {
-  const char *name;
-  void (*read)(reader *r);
-} statements[] = {
-    {"v", read_vertex}, {"f", read_face}, {"vt", pass_over},     {"vn", pass_over},
-    {"vp", pass_over},  {"l", pass_over}, {"p", pass_over},      {"g", pass_over},
-    {"o", pass_over},   {"s", pass_over}, {"usemtl", pass_over}, {"mtllib", pass_over},
+/* Statements of other content (specification 3.0, appendix B1): known, but passed over. Those that
+ * bring in other files (call, csh) are not among them, because faces may stand there. */
+static const char *const passed_over[] = {
+    "vt",    "vn",     "vp",         "l",         "p",      "g",    "o",        "s",
+    "mg",    "usemtl", "mtllib",     "usemap",    "maplib", "lod",  "bevel",    "c_interp",
+    "ctech", "stech",  "shadow_obj", "trace_obj", "cstype", "deg",  "bmat",     "step",
+    "curv",  "curv2",  "surf",       "parm",      "trim",   "hole", "scrv",     "sp",
+    "con",   "end",    "bsp",        "bzp",       "cdc",    "cdp",  "d_interp", "res",
 };
 
 /* Reads a line, in whatever case its statement is written; empty lines are no statement. */
 static void read_statement(reader *r) {
   lam_word word;
   if (!lam_scan_word(&r->scan, &word)) return;
-  for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
-    if (lam_word_is(word, statements[i].name)) {
-      statements[i].read(r);
-      return;
-    }
+  if (lam_word_is(word, "v")) {
+    read_vertex(r);
+    return;
+  }
+  if (lam_word_is(word, "f")) {
+    read_face(r);
+    return;
+  }
 
+  for (size_t i = 0; i < sizeof passed_over / sizeof *passed_over; i++)
+    if (lam_word_is(word, passed_over[i])) return;
   lam_error_add(r->scan.errors, r->scan.location, NULL,
                 "\"%.*s\" given, a statement such as v or f expected", lam_word_shown(word),
                 word.text);
 }
 
-/* Vertices may stand below the faces that use them, so numbers that are too large are found at
- * the end. One message per face, with the line of the face. */
-static void check_indices(reader *r) {
-  for (int i = 0; i < r->starts.count && !lam_scan_gave_up(&r->scan); i++) {
-    int end = i + 1 < r->starts.count ? r->starts.items[i + 1] : r->corners.count;
-    for (int k = r->starts.items[i]; k < end; k++) {
-      if (r->corners.items[k] < r->vertex_count) continue;
-      r->scan.location.line = r->lines.items[i];
-      lam_error_add(r->scan.errors, r->scan.location, NULL,
-                    "face: vertex %d given, but the file has %d", r->corners.items[k] + 1,
-                    r->vertex_count);
-      break;
-    }
-  }
+lam_scan lam_obj_scan(lam_arena *arena, const char *bytes, size_t count, lam_location location,
+                      lam_errors *errors) {
+  lam_scan scan = lam_scan_begin(arena, bytes, count, location, errors);
+  scan.joins = true;
+  return scan;
 }
 
 /* Reads the whole file. Messages are collected until there are too many; false when there are
- * any. starts gets the end of the last face as one more entry. */
+ * any. */
 static bool read_all(reader *r) {
   do read_statement(r);
   while (!lam_scan_gave_up(&r->scan) && lam_scan_line(&r->scan));
-
-  if (lam_scan_failed(&r->scan)) return false;
-  check_indices(r);
-
-  r->scan.location.line = 0;
-  if (!r->starts.count) lam_error_add(r->scan.errors, r->scan.location, NULL, "has no faces");
-  append(r->arena, &r->starts, r->corners.count);
-  return !lam_scan_failed(&r->scan);
+  return !lam_scan_failed(&r->scan) &&
+         lam_polygons_check(&r->polygons, 1, r->scan.location, r->scan.errors);
 }
 
 /* For the format's row: a quad mesh of faces of three or four corners. */
 static bool read_mesh(lam_arena *arena, const char *bytes, size_t size, lam_location location,
                       lam_errors *errors, lam_mesh *mesh) {
-  reader r = {.scan = lam_scan_begin(arena, bytes, size, location, errors),
-              .arena = arena,
-              .most_corners = 4};
+  reader r = {lam_obj_scan(arena, bytes, size, location, errors),
+              {.arena = arena, .most_corners = 4}};
   if (!read_all(&r)) return false;
-
-  *mesh = (lam_mesh){
-      .vertex_count = r.vertex_count, .vertices = r.vertices, .face_count = r.starts.count - 1};
-  mesh->faces = lam_arena_alloc(arena, (size_t)mesh->face_count, sizeof *mesh->faces);
-  for (int i = 0; i < mesh->face_count; i++) {
-    const int *c = r.corners.items + r.starts.items[i];
-    int corners = r.starts.items[i + 1] - r.starts.items[i];
-    for (int k = 0; k < 4; k++) mesh->faces[i][k] = k < corners ? c[k] : -1;
-  }
+  *mesh = lam_polygons_mesh(&r.polygons);
   return true;
 }
 
-/* For the format's row: triangles. A polygon is cut into the fan of triangles at its first
- * corner. */
+/* For the format's row: triangles. */
 static bool read_triangles(lam_arena *arena, const char *bytes, size_t size, lam_location location,
                            lam_errors *errors, lam_trimesh *mesh) {
-  reader r = {.scan = lam_scan_begin(arena, bytes, size, location, errors),
-              .arena = arena,
-              .most_corners = INT_MAX};
+  reader r = {lam_obj_scan(arena, bytes, size, location, errors),
+              {.arena = arena, .most_corners = INT_MAX}};
   if (!read_all(&r)) return false;
-
-  int faces = r.starts.count - 1;
-  *mesh = (lam_trimesh){.vertex_count = r.vertex_count, .vertices = r.vertices};
-  mesh->triangles =
-      lam_arena_alloc(arena, (size_t)(r.corners.count - 2 * faces), sizeof *mesh->triangles);
-
-  for (int i = 0; i < faces; i++)
-    for (int k = r.starts.items[i] + 2; k < r.starts.items[i + 1]; k++) {
-      int *t = mesh->triangles[mesh->triangle_count++];
-      t[0] = r.corners.items[r.starts.items[i]];
-      t[1] = r.corners.items[k - 1];
-      t[2] = r.corners.items[k];
-    }
+  *mesh = lam_polygons_triangles(&r.polygons);
   return true;
 }
 
@@ -314,9 +252,11 @@ const lam_format lam_format_obj = {
     .doc = "The net with its faces and polylines, and the parts as groups, in meters; meshes are "
            "read from it, and free-form surfaces and curves.",
     .ending = "obj",
+    .unit = 1,
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
     .read_mesh = read_mesh,
     .read_triangles = read_triangles,
     .read_surfaces = lam_obj_read_surfaces,

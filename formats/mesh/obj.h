@@ -6,11 +6,16 @@
 #include "core/error.h"
 #include "core/model.h"
 #include "core/text.h"
+#include "formats/scan.h"
 #include "formats/spline/curves.h"
 
 /* Adds the faces and polylines of the model's net, with its vertices at the given positions (one
  * per vertex of the net), in meters. */
 void lam_obj_net(const lam_model *model, const lam_vec3 *vertices, lam_text *out);
+
+/* Starts reading an OBJ file: a backslash at the end of a line joins the next one to it. */
+lam_scan lam_obj_scan(lam_arena *arena, const char *bytes, size_t count, lam_location location,
+                      lam_errors *errors);
 
 /* The free-form surfaces / curves of a file: B-splines and Bezier, rational or not, in the file's
  * unit taken as meters. Trimming is not read (the notes of surfaces say so). bytes must stay; the

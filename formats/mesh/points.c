@@ -86,7 +86,7 @@ static bool read_points(lam_arena *arena, const char *bytes, size_t count, lam_l
   int lines = 1;
   for (size_t i = 0; i < count; i++) {
     text[i] = bytes[i] == ';' ? ' ' : bytes[i];
-    lines += bytes[i] == '\n';
+    lines += bytes[i] == '\n' || bytes[i] == '\r';
   }
   lam_vec3 *list = LAM_NEW(arena, lam_vec3, lines);
   lam_scan scan = lam_scan_begin(arena, text, count, location, errors);

@@ -5,6 +5,7 @@
  *
  * A template X.scad gives X_solid(records, settings...) and X_outlines(records, names,
  * settings...): see templates/scad/lamella.scad. A new template needs nothing here. */
+#include "core/origin.h"
 #include "core/solid/triangles.h"
 #include "formats/format.h"
 #include "formats/identifier.h"
@@ -149,6 +150,21 @@ static void add_settings(lam_text *out, const lam_model *model) {
   lam_text_add(out, "; // [0:0.01:1]\n");
 }
 
+/* Where the local origin lies, for models that are not about (0, 0, 0). */
+static void add_place(lam_text *out, const lam_model *model) {
+  const double origin[3] = {model->origin.x, model->origin.y, model->origin.z};
+  if (!lam_is_moved(model->origin)) return;
+
+  lam_text_add(out, "\n/* [Place] */\n// Where the parts stand, mm: they are drawn about this "
+                    "origin\norigin = [");
+  for (int k = 0; k < 3; k++) {
+    lam_text_add(out, k ? ", " : "");
+    lam_text_number(out, 1000 * origin[k], 4);
+  }
+  lam_text_add(out, "];\n// Draw them there instead: exports have too few digits for it\n"
+                    "in_place = false;\n");
+}
+
 /* The settings of a kind as named arguments, which end a call that add_function began. */
 static void add_arguments(lam_text *out, const lam_model *model, int kind) {
   for (int i = 0; i < model->record_kinds[kind].setting_count; i++) {
@@ -194,8 +210,9 @@ static void add_view(lam_text *out, const lam_model *model) {
     add_arguments(out, model, k);
   }
 
-  lam_text_add(out, ");\n\nif (is_flat(show)) show_flat(show, outlines(), kerf);\n"
-                    "else show_solids([for (family = [0, 1, -1]) family_solids(family)], "
+  lam_text_printf(out, ");\n\nif (is_flat(show)) show_flat(show, outlines(), kerf);\nelse %s",
+                  lam_is_moved(model->origin) ? "translate(in_place ? origin : [0, 0, 0]) " : "");
+  lam_text_add(out, "show_solids([for (family = [0, 1, -1]) family_solids(family)], "
                     "show == \"exploded\" ? raise : 0);\n");
 }
 
@@ -210,6 +227,7 @@ static void write_main(const lam_model *model, lam_text *out) {
 
   add_show(out, model);
   add_settings(out, model);
+  add_place(out, model);
 
   lam_text_printf(out, "\n/* [Hidden] */\ninclude <%s_data.scad>\n", model->name);
   lam_text_add(out, "use <parts.scad>\n");

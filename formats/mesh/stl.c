@@ -199,12 +199,13 @@ static void read_text(lam_scan scan, corner_list *corners) {
 static bool read_corners(lam_arena *arena, const char *bytes, size_t size, lam_location location,
                          lam_errors *errors, corner_list *corners) {
   int before = errors->count;
+  size_t mark = (size_t)lam_utf8_mark(bytes, size);
   uint32_t triangles = size >= header_size ? read_u32(bytes + header_size - 4) : 0;
   size_t expected = header_size + record_size * (size_t)triangles;
 
   if (size >= header_size && size == expected) {
     read_binary(bytes, triangles, location, errors, corners);
-  } else if (size >= 5 && strncasecmp(bytes, "solid", 5) == 0) {
+  } else if (size >= mark + 5 && strncasecmp(bytes + mark, "solid", 5) == 0) {
     read_text(lam_scan_begin(arena, bytes, size, location, errors), corners);
   } else if (size >= header_size) {
     lam_error_add(errors, location, NULL,
@@ -238,6 +239,7 @@ const lam_format lam_format_stl = {
     .doc = "Triangles of every part, and of the whole model with all instances, in millimeters; "
            "read binary or as text.",
     .ending = "stl",
+    .unit = 1e-3,
     .count = count,
     .path = path,
     .write = write,

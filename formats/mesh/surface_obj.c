@@ -117,4 +117,5 @@ const lam_format lam_format_surface_obj = {
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
 };

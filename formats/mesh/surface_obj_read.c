@@ -46,18 +46,8 @@ static void append(lam_arena *arena, numbers *list, double number) {
   LAM_APPEND(arena, list->items, list->count, list->capacity, number);
 }
 
-/* The next word of a statement, which a backslash at the end of a line carries over to the next.
- * The backslash may stand at the end of a word. False at the end of the statement. */
-static bool next(reader *r, lam_word *word) {
-  while (lam_scan_word(&r->scan, word)) {
-    if (word->text[word->length - 1] != '\\') return true;
-    bool last = r->scan.at == r->scan.end || *r->scan.at == '\n' || *r->scan.at == '\r';
-    if (!last) return true;
-    if (!lam_scan_line(&r->scan)) return false;
-    if (--word->length > 0) return true;
-  }
-  return false;
-}
+/* The next word of a statement; false at its end. */
+static bool next(reader *r, lam_word *word) { return lam_scan_word(&r->scan, word); }
 
 /* Reads up to `most` numbers of a statement into the list, which they replace. False with a
  * message. */
@@ -310,7 +300,7 @@ static bool read_all(reader *r) {
 bool lam_obj_read_surfaces(lam_arena *arena, const char *bytes, size_t count, lam_location location,
                            lam_errors *errors, lam_spline_list *surfaces) {
   reader r = {.arena = arena,
-              .scan = lam_scan_begin(arena, bytes, count, location, errors),
+              .scan = lam_obj_scan(arena, bytes, count, location, errors),
               .surfaces = surfaces};
   *surfaces = (lam_spline_list){0};
   if (!read_all(&r)) return false;
@@ -322,7 +312,7 @@ bool lam_obj_read_surfaces(lam_arena *arena, const char *bytes, size_t count, la
 bool lam_obj_read_curves(lam_arena *arena, const char *bytes, size_t count, lam_location location,
                          lam_errors *errors, lam_curve_list *curves) {
   reader r = {.arena = arena,
-              .scan = lam_scan_begin(arena, bytes, count, location, errors),
+              .scan = lam_obj_scan(arena, bytes, count, location, errors),
               .curves = curves};
   *curves = (lam_curve_list){0};
   if (!read_all(&r)) return false;

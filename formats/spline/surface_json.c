@@ -2,6 +2,7 @@
  * surfaces and the control points of its curves, in meters. Numbers read back exactly. Read, too:
  * units m, cm and mm. */
 #include "formats/format.h"
+#include "formats/scan.h"
 #include "formats/spline/curves.h"
 
 #include <jansson.h>
@@ -229,7 +230,8 @@ static void release(void *root) { json_decref(root); }
  * tree is closed with the arena. */
 static const json_t *open_list(reader *r, const char *bytes, size_t size) {
   json_error_t error;
-  json_t *root = json_loadb(bytes, size, 0, &error);
+  size_t mark = (size_t)lam_utf8_mark(bytes, size);
+  json_t *root = json_loadb(bytes + mark, size - mark, 0, &error);
   if (!root) {
     lam_location location = r->location;
     location.line = error.line > 0 ? error.line : 0;
@@ -286,6 +288,7 @@ const lam_format lam_format_surface = {
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
     .read_surfaces = read_surfaces,
     .read_curves = read_curves,
 };

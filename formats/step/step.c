@@ -274,6 +274,7 @@ const lam_format lam_format_step = {
     .count = count,
     .path = path,
     .write = write,
+    .in_place = true,
     .read_surfaces = lam_step_read_surfaces,
     .read_curves = lam_step_read_curves,
 };

@@ -35,7 +35,8 @@ static char peek(const parser *p) { return at_end(p) ? 0 : *p->scan->at; }
 
 /* Goes on by a byte, counting lines. */
 static void step(parser *p) {
-  if (*p->scan->at == '\n') p->scan->location.line++;
+  int end = lam_line_end(p->scan->at, p->scan->end);
+  if (end == 1) p->scan->location.line++; /* of two bytes, the last one counts */
   p->scan->at++;
 }
 

@@ -48,4 +48,5 @@ const lam_format lam_format_nodes = {
     .count = count_files,
     .path = path_of,
     .write = write_file,
+    .in_place = true,
 };

@@ -33,7 +33,8 @@ typedef struct comparison {
 } comparison;
 
 /* Positions are in mean edges, as the solver takes them. Hard constraints alone. */
-static lam_bench_equations equations_of(lam_arena *arena, const lam_net_job *job, const lam_net *net) {
+static lam_bench_equations equations_of(lam_arena *arena, const lam_net_job *job,
+                                        const lam_net *net) {
   double unit = lam_net_mean_edge(net, net->mesh.vertices);
   lam_vec3 *x = LAM_NEW(arena, lam_vec3, net->mesh.vertex_count);
   for (int v = 0; v < net->mesh.vertex_count; v++)

@@ -13,7 +13,7 @@
 static const char usage[] =
     "usage: lamella diff A B [--tolerance T] [--mask FILE.png] [--json]\n"
     "\n"
-    "Compares two meshes (STL in millimeters, OBJ in meters) or two PNG pictures.\n"
+    "Compares two meshes (STL in millimeters; OBJ, OFF and PLY in meters) or two PNG pictures.\n"
     "\n"
     "Meshes are the same when both are closed or both are open, components and Euler number "
     "agree, volume and area\n"

@@ -9,11 +9,11 @@
 #include <stdio.h>
 
 static const char usage[] =
-    "usage: lamella inspect FILE.stl|FILE.obj [--json]\n"
+    "usage: lamella inspect FILE [--json]\n"
     "\n"
     "Says whether a triangle mesh is a valid solid, and measures it. STL files are read in "
-    "millimeters, OBJ files in\n"
-    "meters. Vertices at exactly the same place are merged first.\n"
+    "millimeters, OBJ, OFF\n"
+    "and PLY files in meters. Vertices at exactly the same place are merged first.\n"
     "\n"
     "  --json   the same as JSON, in SI units (m, m^2, m^3; inertia in m^5: xx, yy, zz, xy, yz, "
     "zx, density 1)\n"

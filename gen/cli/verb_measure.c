@@ -13,13 +13,13 @@
 #include <stdlib.h>
 
 static const char usage[] =
-    "usage: lamella measure MESH.obj [--as NET] [--angle DEGREES] [--reference FILE] "
+    "usage: lamella measure MESH [--as NET] [--angle DEGREES] [--reference FILE] "
     "[--axis PX,PY,PZ,DX,DY,DZ]\n"
     "                       [--map MEASURE -o FILE] [--json]\n"
     "  --as NET          only the measures that prove this kind of net (see lamella list nets)\n"
     "  --angle DEGREES   the crossing angle that angle_deviation is measured against "
     "(default: 90)\n"
-    "  --reference FILE  a mesh (OBJ or STL) that distances are measured to\n"
+    "  --reference FILE  a mesh (OBJ, OFF, PLY or STL) that distances are measured to\n"
     "  --axis NUMBERS    point (meters) and direction of the axis of a surface of revolution\n"
     "  --map MEASURE     draws a color map (see lamella list measures) into the file after "
     "-o: .svg, .png or .glb\n"
@@ -101,6 +101,8 @@ static lam_status read_meshes(lam_session *session, const char *reference, lam_m
   lam_status status = lam_measure_task_check(session, task);
   if (status == LAM_OK) status = lam_read_mesh(session, task->name, mesh);
   task->mesh = mesh;
+  for (const lam_error *note = lam_session_notes(session); note; note = note->next)
+    lam_complain_plain(0, "%s: %s", task->name, note->text);
   if (status != LAM_OK || !reference) return status;
 
   task->reference = triangles;

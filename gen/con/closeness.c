@@ -55,8 +55,8 @@ static void add_handle(lam_scope *scope, const void *params, double weight, lam_
 
   int *vertex = LAM_NEW(scope->problem->arena, int, 1);
   *vertex = given;
-  lam_vec3 target =
-      lam_v3(handle->to[0] / scope->unit, handle->to[1] / scope->unit, handle->to[2] / scope->unit);
+  lam_vec3 to = lam_v3(handle->to[0], handle->to[1], handle->to[2]);
+  lam_vec3 target = lam_scale(lam_sub(to, scope->origin), 1 / scope->unit);
   lam_closeness_add(scope, "handle", LAM_HARD, weight, 1, vertex, &target);
 }
 

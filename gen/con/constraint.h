@@ -16,6 +16,7 @@ typedef struct lam_scope {
   lam_problem *problem;
   const lam_net *net;                /* connectivity; positions are those of problem->x */
   double unit;                       /* meters per solver unit */
+  lam_vec3 origin;                   /* of positions, for places that keys name; meters */
   const lam_tree *reference;         /* NULL: none */
   const lam_trimesh *reference_mesh; /* in solver units */
   lam_errors *errors;

@@ -11,6 +11,8 @@
 typedef struct lam_inputs {
   lam_surface_inputs surface;   /* of the file that the surface names */
   const lam_mesh *net;          /* of net.from: a file, or another design's finished net; NULL */
+  int net_note_count;           /* what was found in that file, for the report: sentences */
+  const char *const *net_notes; /* net_note_count */
   const lam_trimesh *reference; /* of net.reference; NULL */
 } lam_inputs;
 

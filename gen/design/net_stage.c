@@ -15,6 +15,7 @@ enum { surface_grid = 32 }; /* cells of the mesh that stands for a surface witho
 static bool read_mesh(lam_build *build, const char *key, const char *name, lam_mesh *mesh) {
   if (build->inputs->net) {
     *mesh = *build->inputs->net;
+    lam_build_local_mesh(build, mesh);
     return true;
   }
   lam_error_add(build->errors, build->design->net.location, key, "%s was not read by this caller",
@@ -96,7 +97,10 @@ static bool initial_mesh(lam_build *build, const lam_net_kind *kind, const lam_n
                   "not given; expected a surface, or net.from: {file: ...}");
     return false;
   }
-  return common ? mesh_of_lines(build, kind, common, mesh) : mesh_of_surface(build, mesh);
+  if (!(common ? mesh_of_lines(build, kind, common, mesh) : mesh_of_surface(build, mesh)))
+    return false;
+  lam_build_origin_of_surface(build);
+  return true;
 }
 
 /* ---- changes ---- */
@@ -162,10 +166,17 @@ static void report_net(const lam_build *build, const lam_net_kind *kind,
                  result->drift);
 
   /* What is not always so. */
+  lam_build_note_origin(build, stage);
+  for (int i = 0; i < build->inputs->net_note_count; i++)
+    lam_stage_note(build->arena, stage, "%s", build->inputs->net_notes[i]);
   if (result->levels)
     lam_stage_note(build->arena, stage, "%d coarser nets solved first", result->levels);
   if (result->skipped)
     lam_stage_note(build->arena, stage, "%ld irregular vertices left out", result->skipped);
+  if (result->reference_weight > 0 && result->converged)
+    lam_stage_note(build->arena, stage, "the reference was followed with a weight of %.3g",
+                   result->reference_weight);
+  if (result->hint) lam_stage_note(build->arena, stage, "%s", result->hint);
   if (!result->converged && result->solution.worst)
     lam_stage_note(build->arena, stage, "largest residual: %s", result->solution.worst);
 }
@@ -176,8 +187,13 @@ static bool solve_net(lam_build *build, const lam_net_kind *kind, const lam_net_
   const lam_design *design = build->design;
   lam_stage *stage = lam_build_stage(build, "net");
   if (!lam_net_method_check(kind, common, design->net.location, build->errors)) return false;
-  lam_net_job job = {kind, design->net.params, common, NULL, design->net.location, build->progress};
-  if (common->reference_given) job.reference = build->inputs->reference;
+  lam_net_job job = {.kind = kind,
+                     .params = design->net.params,
+                     .common = common,
+                     .origin = build->model->origin,
+                     .location = design->net.location,
+                     .progress = build->progress};
+  if (common->reference_given) job.reference = lam_build_local_reference(build);
 
   lam_net_result result;
   if (!lam_net_optimize(build->arena, &job, build->net, build->errors, &result)) return false;

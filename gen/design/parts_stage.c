@@ -26,6 +26,7 @@ bool lam_build_parts(lam_build *build, lam_workshop *workshop) {
   }
 
   if (parts->count) lam_workshop_clash(workshop);
+  lam_build_check_written(workshop);
   return build->errors->count == before;
 }
 

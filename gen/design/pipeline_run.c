@@ -87,6 +87,7 @@ bool lam_pipeline_run(lam_arena *arena, const lam_design *design, const lam_inpu
   *workshop = (lam_workshop){.arena = arena,
                              .errors = errors,
                              .progress = progress,
+                             .origin = model->origin,
                              .net = build.net,
                              .normals = build.normals};
   lam_build_keep_surface(&build, workshop);

@@ -23,6 +23,7 @@ typedef struct lam_build {
 
   /* Made. Positions in meters. */
   lam_surface surface;     /* in its own units and axes; kind is NULL: none */
+  lam_vec3 surface_origin; /* of those axes, where they are not those of its file */
   lam_net *net;            /* NULL: none */
   lam_measuring measuring; /* of the net */
   lam_vec3 *normals;       /* unit, per vertex of the net */
@@ -51,6 +52,23 @@ void lam_build_stage_end(const lam_build *build, lam_stage *stage);
 
 /* surface_stage.c: makes the surface of the design. */
 bool lam_build_surface(lam_build *build);
+/* ---- the local origin (local_origin.c) ----
+ *
+ * What was read and lies far away is built about an origin near it, model->origin. */
+
+/* What was read for the surface, about build->surface_origin, which is set. */
+lam_surface_inputs lam_build_local_surface(lam_build *build);
+/* Sets the model's origin to that of the surface, which the net has been sampled from. */
+void lam_build_origin_of_surface(lam_build *build);
+/* Sets the model's origin for a mesh that was read, and moves it there. */
+void lam_build_local_mesh(lam_build *build, lam_mesh *mesh);
+/* The reference about the model's origin; NULL: none was read. */
+const lam_trimesh *lam_build_local_reference(const lam_build *build);
+/* Names the origin in the report, unless it is (0, 0, 0). */
+void lam_build_note_origin(const lam_build *build, lam_stage *stage);
+
+/* ---- more stages ---- */
+
 /* surface_stage.c: adds the surface to the workshop where the net stands, for parts and writers;
  * nothing when it is no spline or there is no net. */
 void lam_build_keep_surface(const lam_build *build, lam_workshop *workshop);
@@ -66,6 +84,9 @@ bool lam_build_print(lam_build *build, const lam_workshop *workshop);
 
 /* parts_stage.c: makes the parts of the design, in the workshop, and looks for clashes. */
 bool lam_build_parts(lam_build *build, lam_workshop *workshop);
+/* written_check.c: tells which solids of the workshop are closed as they were made, but not as
+ * files of 32-bit coordinates have them. */
+void lam_build_check_written(lam_workshop *workshop);
 /* parts_stage.c: adds the lines of the net to the workshop's curves where no part has given
  * axes. */
 void lam_build_keep_lines(const lam_build *build, lam_workshop *workshop);

@@ -8,7 +8,8 @@ static bool make_surface(lam_build *build) {
   const lam_row *row = &build->design->surface;
   int before = build->errors->count;
 
-  lam_row filled = lam_surface_row_with(build->arena, row, &build->inputs->surface);
+  lam_surface_inputs inputs = lam_build_local_surface(build);
+  lam_row filled = lam_surface_row_with(build->arena, row, &inputs);
   build->surface = lam_surface_make(build->arena, &filled, build->errors);
   return build->errors->count == before;
 }

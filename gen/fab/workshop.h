@@ -21,6 +21,7 @@ typedef struct lam_workshop {
   lam_arena *arena;
   lam_errors *errors; /* for input that only here proves wrong: a joint wider than its spacing */
   const lam_progress *progress;
+  lam_vec3 origin;         /* of all positions, for places that keys name; meters */
   const lam_net *net;      /* with final positions in net->mesh.vertices */
   const lam_vec3 *normals; /* unit, per net vertex */
   int part_count, part_capacity;

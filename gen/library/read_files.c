@@ -4,6 +4,7 @@
 #include "core/file.h"
 #include "formats/list/formats.h"
 #include "library/session_state.h"
+#include "library/start_mesh.h"
 #include <lamella/format.h>
 
 enum { largest_file = 1 << 30 };
@@ -93,10 +94,22 @@ bool lam_input_points(lam_arena *arena, const char *path, lam_errors *errors, in
 /* ---- the face ----
  * Declared in include/lamella/format.h. The status is that of the messages. */
 
+/* A mesh as a net can take it; what was done to it is told in notes. */
+static lam_status read_mesh(lam_session *session, const char *path, lam_mesh *mesh) {
+  lam_inputs inputs = {0};
+  lam_net_source from = {0};
+  if (!lam_start_mesh_read(session->arena, path, &from, (lam_location){0}, &session->errors,
+                           &inputs))
+    return LAM_OK;
+  *mesh = *inputs.net;
+  for (int i = 0; i < inputs.net_note_count; i++)
+    lam_error_add(&session->notes, (lam_location){.file = path}, NULL, "%s", inputs.net_notes[i]);
+  return LAM_OK;
+}
+
 lam_status lam_read_mesh(lam_session *session, const char *path, lam_mesh *mesh) {
   LAM_ENTER(session);
-  lam_input_mesh(session->arena, path, &session->errors, mesh);
-  return lam_session_leave(session, LAM_OK);
+  return lam_session_leave(session, read_mesh(session, path, mesh));
 }
 
 lam_status lam_read_triangles(lam_session *session, const char *path, lam_trimesh *mesh) {

@@ -1,6 +1,7 @@
 /* Solving nets from arrays: the design of a net alone, with the arrays in place of its files.
  * Called through lamella/net.h. */
 #include "design/pipeline.h"
+#include "formats/in_place.h"
 #include "library/sources.h"
 #include <lamella/net.h>
 
@@ -40,7 +41,7 @@ static lam_status solve(lam_session *session, const lam_net_task *task,
 
   if (lam_pipeline_run(session->arena, design, &inputs, &session->progress, &session->errors,
                        model))
-    take_result(model, solution);
+    take_result(lam_model_in_place(session->arena, model), solution);
   return LAM_OK;
 }
 

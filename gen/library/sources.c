@@ -7,7 +7,9 @@
 #include "core/grow.h"
 #include "design/pipeline.h"
 #include "design/tree.h"
+#include "formats/in_place.h"
 #include "library/read_files.h"
+#include "library/start_mesh.h"
 #include "net/measures/measure_map.h"
 #include "net/net_kind.h"
 
@@ -207,7 +209,7 @@ static const lam_mesh *build_net(lam_session *session, const char *path, lam_loc
     lam_error_add(errors, location, "net.from.design", "%s has no net", path);
   else if (!lam_report_converged(model->report))
     lam_error_add(errors, location, "net.from.design", "the net of %s does not converge", path);
-  return errors->count == before ? model->net : NULL;
+  return errors->count == before ? lam_model_in_place(session->arena, model)->net : NULL;
 }
 
 /* What the net starts from, when that is a file or another design. False with messages. */
@@ -217,18 +219,18 @@ static bool read_start(lam_session *session, const lam_design *design, const cha
   if (!net || (!net->from.file && !net->from.design)) return true;
 
   if (net->from.file) {
-    lam_mesh *mesh = LAM_NEW(session->arena, lam_mesh, 1);
     const char *path = beside(session->arena, design->path, net->from.file);
     note_file(session, origin, path);
-    inputs->net = mesh;
-    return lam_input_mesh(session->arena, path, &session->errors, mesh);
+    return lam_start_mesh_read(session->arena, path, &net->from, design->net.location,
+                               &session->errors, inputs);
   }
 
   const char *name = design_file(session->arena, net->from.design);
   const char *path = beside(session->arena, design->path, name);
   note_file(session, origin, path);
-  inputs->net = build_net(session, path, design->net.location, self, origin);
-  return inputs->net != NULL;
+  const lam_mesh *mesh = build_net(session, path, design->net.location, self, origin);
+  return mesh && lam_start_mesh_take(session->arena, mesh, &net->from, design->net.location,
+                                     &session->errors, inputs);
 }
 
 /* The surface that the net stays near, when it stands in a file. False with messages. */
@@ -241,7 +243,10 @@ static bool read_reference(lam_session *session, const lam_design *design, lam_o
   const char *path = beside(session->arena, design->path, net->reference.file);
   note_file(session, origin, path);
   inputs->reference = mesh;
-  return lam_input_triangles(session->arena, path, &session->errors, mesh);
+  if (!lam_input_triangles(session->arena, path, &session->errors, mesh)) return false;
+  lam_start_mesh_scale(mesh->vertices, mesh->vertex_count,
+                       lam_start_mesh_unit(path, net->reference.unit));
+  return true;
 }
 
 /* In the order of the pipeline: surface, start of the net, reference. self: the design as the end

@@ -4,6 +4,7 @@
 #include "core/grow.h"
 #include "curve/bspline/basis.h"
 #include "mesh/net_sides.h"
+#include <string.h>
 
 #include <math.h>
 
@@ -69,6 +70,34 @@ void lam_handles_check(const lam_net_common *common, lam_location location, lam_
           "given %s; expected one of vertex: [i, j], at: [x, y, z] and side: u0, with to or by",
           problem);
   }
+}
+
+/* ---- places ---- */
+
+/* Moves count points of three numbers each. */
+static void move(double *xyz, int count, lam_vec3 origin) {
+  for (int i = 0; i < count; i++) {
+    xyz[3 * i] -= origin.x;
+    xyz[3 * i + 1] -= origin.y;
+    xyz[3 * i + 2] -= origin.z;
+  }
+}
+
+lam_list lam_handles_moved(lam_arena *arena, lam_list handles, lam_vec3 origin) {
+  lam_handle *moved = LAM_NEW(arena, lam_handle, handles.count);
+  for (int h = 0; h < handles.count; h++) {
+    lam_handle *handle = &moved[h];
+    *handle = ((const lam_handle *)handles.items)[h];
+    double *goal = LAM_NEW(arena, double, handle->goal.count);
+    if (handle->goal.count)
+      memcpy(goal, handle->goal.items, (size_t)handle->goal.count * sizeof *goal);
+    handle->goal.items = goal;
+
+    move(handle->to, 1, origin);
+    move(handle->at, 1, origin);
+    move(goal, handle->goal.count / 3, origin);
+  }
+  return (lam_list){handles.count, moved};
 }
 
 /* ---- vertices ---- */

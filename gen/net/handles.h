@@ -12,6 +12,10 @@ extern const lam_key lam_handle_keys[]; /* of lam_handle */
  * net in the design. */
 void lam_handles_check(const lam_net_common *common, lam_location location, lam_errors *errors);
 
+/* The handles with the places that they name (at, to) about an origin, meters: copies, owned by
+ * arena. */
+lam_list lam_handles_moved(lam_arena *arena, lam_list handles, lam_vec3 origin);
+
 /* Handles on single vertices {index, -1} with targets in meters, one per vertex of a side: a list
  * of lam_handle, owned by arena.
  *

@@ -8,6 +8,9 @@ static const char *const stages[] = {"surface", NULL};
 static const char *const line_choices[] = {"auto",           "natural",  "asymptotic",
                                            "principal",      "diagonal", "geodesic-parallel",
                                            "geodesic-polar", NULL};
+static const char *const unit_choices[] = {"auto", "m", "cm", "mm", "in", "ft", NULL};
+const lam_file_unit lam_file_units[] = {{"auto", 0},   {"m", 1},      {"cm", .01},  {"mm", .001},
+                                        {"in", .0254}, {"ft", .3048}, {NULL, 0}};
 static const char *const base_choices[] = {"u", "v", NULL};
 static const char *const boundaries[] = {"free", "fixed", "glide", NULL};
 
@@ -15,7 +18,17 @@ static const lam_key source_keys[] = {
     LAM_CHOICE_KEY(lam_net_source, "stage", stage, "surface", stages,
                    "The surface of this design, in the parameterization that the net needs."),
     LAM_TEXT_KEY(lam_net_source, "file", file, "~",
-                 "A quad mesh (OBJ, meters) instead, relative to the design file."),
+                 "A quad mesh (OBJ, OFF or PLY) instead, relative to the design file. Vertices in "
+                 "no face are left out, and faces that are turned the other way are turned."),
+    LAM_CHOICE_KEY(lam_net_source, "unit", unit, "auto", unit_choices,
+                   "The unit of the file's coordinates. auto: meters."),
+    LAM_LENGTH_KEY(lam_net_source, "size", size, "0", 0, 1e5,
+                   "Scales the mesh of the file or design so that its largest extent along an axis "
+                   "is this. 0: as it is."),
+    LAM_LENGTH_KEY(lam_net_source, "weld", weld, "0", 0, 1e3,
+                   "Joins vertices of the file that are closer than this, after scaling: for "
+                   "meshes in pieces. 0 joins those at the same place. Left out: none is joined.",
+                   LAM_GIVEN(lam_net_source, weld_given)),
     LAM_TEXT_KEY(
         lam_net_source, "design", design, "~",
         "The finished net of another design: the name of a design beside this one, or its file."),
@@ -43,10 +56,14 @@ static const lam_key source_keys[] = {
 
 static const lam_key reference_keys[] = {
     LAM_TEXT_KEY(lam_reference_keys, "file", file, "~",
-                 "A mesh (OBJ or STL) that the net is to stay near, relative to the design file. "
-                 "OBJ in meters, STL in millimeters."),
+                 "A mesh (OBJ, OFF, PLY or STL) that the net is to stay near, relative to the "
+                 "design file."),
+    LAM_CHOICE_KEY(lam_reference_keys, "unit", unit, "auto", unit_choices,
+                   "The unit of the file's coordinates. auto: millimeters in STL, else meters."),
     LAM_NUMBER_KEY(lam_reference_keys, "weight", weight, "0.1", 1e-6, 1e3,
-                   "Weight of the distance against the constraints."),
+                   "Weight of the distance against the constraints. Left out: as large as the net "
+                   "follows without folding or collapsing, from 0.001 to 0.1.",
+                   LAM_GIVEN(lam_reference_keys, weight_given)),
     {0}};
 
 static const char *const methods[] = {"lamella", "thesis", NULL};

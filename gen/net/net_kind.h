@@ -25,6 +25,7 @@ typedef struct lam_net_kind {
   int levels;            /* default of the key `levels`: coarse nets that are solved first */
   lam_schedule schedule; /* default */
   lam_guide guide;       /* default */
+  double file_closeness; /* at least so much closeness where the start is a file; 0: no matter */
 
   /* Adds the hard constraints. params: the struct of head.keys, or NULL when it has none. On
    * wrong input adds to scope->errors. */
@@ -63,6 +64,10 @@ typedef enum lam_boundary {
 typedef struct lam_net_source {
   int stage;          /* 0: the surface */
   const char *file;   /* NULL: none */
+  int unit;           /* of the file: an index into lam_file_units */
+  double size;        /* largest extent that the mesh is scaled to, meters; 0: as it is */
+  double weld;        /* vertices closer than this are joined, meters; meaningful when given */
+  bool weld_given;
   const char *design; /* NULL: none */
   int lines;          /* 0: those that the net's kind asks for; else the chart + 1 */
   bool trace;         /* traced even where the surface has the chart in closed form */
@@ -86,8 +91,18 @@ typedef struct lam_handle {
 
 typedef struct lam_reference_keys {
   const char *file; /* NULL: none */
-  double weight;    /* of the distance against the constraints */
+  int unit;         /* of the file: an index into lam_file_units */
+  double weight;    /* of the distance against the constraints; meaningful when given */
+  bool weight_given;
 } lam_reference_keys;
+
+/* The units that a mesh file can be read in, after "auto" (that of its format), which is 0 meters;
+ * ends with a NULL name. In the order of the choices of `unit`. */
+typedef struct lam_file_unit {
+  const char *name;
+  double meters;
+} lam_file_unit;
+extern const lam_file_unit lam_file_units[];
 
 typedef enum lam_method { LAM_METHOD_LAMELLA, LAM_METHOD_THESIS } lam_method;
 

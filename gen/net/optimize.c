@@ -12,6 +12,11 @@
 #include <math.h>
 #include <string.h>
 
+/* Weights of the reference where the design gives none: which one is tried first; the least and the
+ * most; by how much it falls and grows. */
+static const double first_weight = 1e-3, least_weight = 1e-6, most_weight = .1;
+static const double weight_falls = .1, weight_grows = 3.1622776601683795;
+
 /* One net on its way from its start to its solution. Positions per vertex are in solver units
  * (the mean edge of the start is 1) unless meters are said. */
 typedef struct optimization {
@@ -28,11 +33,12 @@ typedef struct optimization {
   lam_trimesh reference;          /* of the job; empty: none */
   const lam_tree *reference_tree; /* NULL: none */
 
-  lam_list handles; /* of lam_handle, resolved to a vertex and a goal in meters each */
-  int handle_steps; /* solves until the handles have come all their way */
-  int steps;        /* the same, and one more when any handle lets go in the end */
-  double share;     /* in this step: part of their way that the handles have gone */
-  bool let_go;      /* in this step: handles with release: yes no longer hold */
+  lam_list handles;        /* of lam_handle, resolved to a vertex and a goal in meters each */
+  int handle_steps;        /* solves until the handles have come all their way */
+  int steps;               /* the same, and one more when any handle lets go in the end */
+  double reference_weight; /* in this step; 0: there is none */
+  double share;            /* in this step: part of their way that the handles have gone */
+  bool let_go;             /* in this step: handles with release: yes no longer hold */
 
   int levels;            /* coarser nets that were solved before */
   lam_snapshots *frames; /* NULL: none are kept */
@@ -82,8 +88,11 @@ static bool prepare(optimization *o) {
   }
 
   prepare_reference(o);
-  o->handles = lam_handles_resolve(o->arena, o->keys, o->net, o->net->mesh.vertices,
-                                   o->job->location, o->errors);
+  o->reference_weight = o->keys->reference.weight_given ? o->keys->reference.weight : first_weight;
+  lam_net_common keys = *o->keys;
+  keys.handles = lam_handles_moved(o->arena, keys.handles, o->job->origin);
+  o->handles = lam_handles_resolve(o->arena, &keys, o->net, o->net->mesh.vertices, o->job->location,
+                                   o->errors);
   if (o->errors->count > errors_before) return false;
 
   prepare_positions(o);
@@ -152,6 +161,7 @@ static bool begin_on_coarse_net(optimization *o, lam_net_result *result) {
   lam_net_kind kind = *o->job->kind;
   kind.levels = levels - 1;
   lam_net_job job = *o->job;
+  job.origin = lam_v3(0, 0, 0); /* the handles are about it already */
   job.common = &keys;
   job.kind = &kind;
   if (!lam_net_optimize(o->arena, &job, &coarse.net, o->errors, result)) return false;
@@ -245,7 +255,7 @@ static void add_constraints(const optimization *o, lam_scope *scope) {
   memcpy(problem->x, o->x, sizeof *o->x * (size_t)problem->vertex_count);
   if (thesis) job->kind->constrain_thesis(scope, job->params, job->location);
   add_handles(o, scope);
-  if (job->reference) lam_con_proximity.add(scope, NULL, o->keys->reference.weight, job->location);
+  if (job->reference) lam_con_proximity.add(scope, NULL, o->reference_weight, job->location);
 }
 
 /* The kind's schedule with the keys of the design. When handles let go the net begins where the
@@ -265,10 +275,19 @@ static lam_schedule schedule_of(const optimization *o) {
   return schedule;
 }
 
+/* What guides the kind. A mesh from a file is a shape that somebody has made: some kinds keep
+ * nearer to it than to samples of a surface. */
+static lam_guide guide_of(const optimization *o) {
+  const lam_net_kind *kind = o->job->kind;
+  lam_guide guide = kind->guide;
+  if (o->keys->from.file) guide.closeness = fmax(guide.closeness, kind->file_closeness);
+  return guide;
+}
+
 /* Fairness and what fades with it, from where this solve begins. */
 static void add_guide(const optimization *o, lam_scope *scope) {
   const lam_solver_keys *keys = &o->keys->solver;
-  lam_guide guide = o->job->kind->guide;
+  lam_guide guide = guide_of(o);
   if (keys->method == LAM_METHOD_THESIS) guide = (lam_guide){LAM_FAIR_POSITION, 0, 0};
   if (keys->fair_given) guide.fair = (lam_fair)keys->fair;
   if (keys->closeness_given) guide.closeness = keys->closeness;
@@ -329,6 +348,7 @@ static bool solve_step(optimization *o, lam_net_result *result) {
   lam_scope scope = {.problem = problem,
                      .net = o->net,
                      .unit = o->unit,
+                     .origin = o->job->origin,
                      .reference = o->reference_tree,
                      .reference_mesh = &o->reference,
                      .errors = o->errors};
@@ -353,10 +373,85 @@ static void judge(const optimization *o, lam_net_result *result) {
   result->degenerate = lam_net_degenerate(o->arena, o->net, o->start, o->x);
   result->converged = result->solution.converged && !result->degenerate;
   result->reason = result->degenerate ? result->degenerate : result->solution.reason;
+  result->reference_weight = o->job->reference ? o->reference_weight : 0;
 
   result->drift = 0;
   for (int v = 0; v < o->net->mesh.vertex_count; v++)
     result->drift = fmax(result->drift, lam_distance(o->x[v], o->start[v]));
+}
+
+/* All steps, from where x is, and the verdict. Handles go their way in equal steps; in one step
+ * more, those with release: yes let go. False: the input is wrong. */
+static bool solve_steps(optimization *o, lam_net_result *result) {
+  plan_steps(o);
+  for (int step = 1; step <= o->steps; step++) {
+    o->let_go = step > o->handle_steps;
+    o->share = o->let_go ? 1 : (double)step / o->handle_steps;
+    if (!solve_step(o, result)) return false;
+    if (o->frames && o->frame_per_step) lam_snapshots_add(o->frames, o->x);
+  }
+  judge(o, result);
+  return true;
+}
+
+/* Solves again with larger and larger weights of the reference, each from where the one before has
+ * ended, and keeps the last result that is sound. False: the input is wrong. */
+static bool raise_weight(optimization *o, lam_net_result *result) {
+  size_t bytes = sizeof *o->x * (size_t)o->net->mesh.vertex_count;
+  lam_vec3 *kept = LAM_NEW(o->arena, lam_vec3, o->net->mesh.vertex_count);
+  while (o->reference_weight < .99 * most_weight) {
+    lam_net_result before = *result;
+    memcpy(kept, o->x, bytes);
+    o->reference_weight = fmin(o->reference_weight * weight_grows, most_weight);
+    if (!solve_step(o, result)) return false;
+    judge(o, result);
+    if (result->converged) continue;
+
+    int iterations = result->solution.iterations;
+    *result = before;
+    result->solution.iterations = iterations;
+    memcpy(o->x, kept, bytes);
+    break;
+  }
+  return true;
+}
+
+/* Finds how closely the net can follow the reference: a weight that is too large makes vertices
+ * slide along it until faces fold. Where the first weight is too large already, smaller ones begin
+ * anew. False: the input is wrong. */
+static bool solve_with_best_weight(optimization *o, lam_net_result *result) {
+  size_t bytes = sizeof *o->x * (size_t)o->net->mesh.vertex_count;
+  lam_vec3 *begin = LAM_NEW(o->arena, lam_vec3, o->net->mesh.vertex_count);
+  memcpy(begin, o->x, bytes);
+  if (!solve_steps(o, result)) return false;
+  if (result->converged) return raise_weight(o, result);
+
+  while (!result->converged && o->reference_weight > 1.01 * least_weight) {
+    o->reference_weight *= weight_falls;
+    memcpy(o->x, begin, bytes);
+    if (!solve_steps(o, result)) return false;
+  }
+  return !result->converged || raise_weight(o, result);
+}
+
+/* The key that may help a net that has not converged, in the order of what it is about: too close a
+ * reference, too far from the start, or too little guidance. NULL: none is known. */
+static const char *hint_of(const optimization *o, const lam_net_result *result) {
+  const lam_solver_keys *keys = &o->keys->solver;
+  double fairness = schedule_of(o).fairness;
+  if (o->job->reference && o->keys->reference.weight_given)
+    return lam_arena_printf(o->arena,
+                            "net.reference.weight: a smaller one than %g lets the net keep its "
+                            "shape",
+                            o->reference_weight);
+
+  if (fairness == 0 && !keys->fairness_given)
+    return "net.solver.fairness: 0.1 smooths the first steps, and may help";
+  if (result->degenerate && keys->closeness < 1)
+    return "net.solver.closeness: 1 keeps the net nearer to its start, and may help";
+  if (!result->degenerate && result->solution.iterations >= keys->iterations)
+    return "net.solver.iterations: more of them may help";
+  return NULL;
 }
 
 /* Moves the net to where the solver has brought it, and hands over the frames. */
@@ -380,16 +475,11 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   if (!begin_on_coarse_net(&o, result)) return false;
   if (o.levels == 0 && o.keys->solver.smooth) smooth_noisy_start(&o);
 
-  /* Handles go their way in equal steps; in one step more, those with release: yes let go. */
-  plan_steps(&o);
-  for (int step = 1; step <= o.steps; step++) {
-    o.let_go = step > o.handle_steps;
-    o.share = o.let_go ? 1 : (double)step / o.handle_steps;
-    if (!solve_step(&o, result)) return false;
-    if (o.frames && o.frame_per_step) lam_snapshots_add(o.frames, o.x);
-  }
+  bool chooses_weight = job->reference && !o.keys->reference.weight_given;
+  if (!(chooses_weight ? solve_with_best_weight(&o, result) : solve_steps(&o, result)))
+    return false;
 
-  judge(&o, result);
+  if (!result->converged) result->hint = hint_of(&o, result);
   deliver(&o, result);
   lam_net_measure_result(arena, job, net, o.start_in_meters, result);
   return true;

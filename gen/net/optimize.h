@@ -11,6 +11,8 @@ typedef struct lam_net_job {
   const void *params;           /* of kind->head.keys; NULL when it has none */
   const lam_net_common *common; /* the keys that every net accepts */
   const lam_trimesh *reference; /* meters; NULL: none */
+  lam_vec3 origin; /* of the net and the reference, in the coordinates of places that keys name,
+                      meters */
   lam_location location;        /* of the net in the design, for messages */
   const lam_progress *progress; /* NULL: nobody listens */
 } lam_net_job;
@@ -21,12 +23,14 @@ typedef struct lam_net_result {
   const char *degenerate; /* NULL: none */
   bool converged;         /* solved and not degenerate */
   const char *reason;     /* of the verdict: the degenerate state, or the solver's reason */
+  const char *hint;       /* which key may help, as a sentence; NULL: none, or it converged */
   long skipped;           /* irregular vertices that constraints on regular stars left out */
   int measure_count;
   lam_measure *measures;
   int frame_count;               /* of `animate`: at most so many, from the start to the solution */
   const lam_vec3 *const *frames; /* positions of all vertices, meters */
   lam_measuring measuring;       /* what they were measured with; reference_mesh is the caller's */
+  double reference_weight;       /* that was used in the end; 0: no reference */
   double drift;                  /* largest displacement from the start, in mean edges */
 } lam_net_result;
 

@@ -1,10 +1,10 @@
-/* STL and OBJ files of any bytes: the readers must not crash, must say what is wrong in single
+/* STL, OBJ, OFF and PLY files of any bytes: the readers must not crash, must say what is wrong in single
  * lines, and what they do read must be measured without harm.
  *
  * As a fuzzer:
  *   clang -g -O1 -std=c11 -D_GNU_SOURCE -fsanitize=fuzzer,address,undefined -Igen -I.
- * tests/torture/fuzz_mesh.c \ formats/mesh/stl.c formats/mesh/obj.c formats/scan.c \
- * build/liblamella.a -lgmp
+ * tests/torture/fuzz_mesh.c \ formats/mesh/stl.c formats/mesh/obj.c formats/mesh/off.c
+ * formats/mesh/ply.c formats/scan.c \ build/liblamella.a -lgmp
  * -lmpfr -lstdc++ -lm -o fuzz_mesh
  *   ./fuzz_mesh -max_len=4096 corpus
  * As a test, with -DLAM_FUZZ_DRIVER: mutates small files in a fixed sequence.
@@ -12,13 +12,14 @@
 #include "core/solid/solid.h"
 #include "core/solid/triangles.h"
 #include "formats/format.h"
+#include "mesh/tidy.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-extern const lam_format lam_format_stl, lam_format_obj;
+extern const lam_format lam_format_stl, lam_format_obj, lam_format_off, lam_format_ply;
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -60,23 +61,45 @@ static void use(lam_arena *arena, const lam_trimesh *read) {
   lam_solid_set_free(set);
 }
 
+/* Faces, tidied once as they are and once welded, and points. */
+static void use_faces(const lam_format *format, lam_arena *arena, const char *bytes, size_t size) {
+  lam_location location = {.file = "fuzz"};
+  lam_errors errors = {.arena = arena}, more = {.arena = arena};
+  lam_mesh mesh;
+  bool good = format->read_mesh && format->read_mesh(arena, bytes, size, location, &errors, &mesh);
+  if (format->read_mesh) check_messages(&errors, good);
+  for (int k = 0; good && k < 2; k++) {
+    lam_tidied found;
+    int face;
+    lam_mesh tidied = mesh;
+    if (!lam_mesh_tidy(arena, &tidied, k ? .5 : -1, &found, &face)) continue;
+    if (found.unused < 0 || found.turned > mesh.face_count || found.pieces > mesh.face_count ||
+        tidied.vertex_count + found.unused + found.welded != mesh.vertex_count)
+      fail("wrong counts of tidying");
+  }
+
+  int count;
+  const lam_vec3 *points;
+  if (format->read_points)
+    check_messages(&more,
+                   format->read_points(arena, bytes, size, location, &more, &count, &points));
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  const lam_format *const formats[] = {&lam_format_stl, &lam_format_obj};
-  for (int i = 0; i < 2; i++) {
+  const lam_format *const formats[] = {&lam_format_stl, &lam_format_obj, &lam_format_off,
+                                       &lam_format_ply};
+  for (int i = 0; i < 4; i++) {
     lam_arena *arena = lam_arena_new();
     if (!arena) return 0;
     char *bytes = lam_arena_alloc(arena, size, 1);
     if (size) memcpy(bytes, data, size);
-    lam_errors errors = {.arena = arena}, more = {.arena = arena};
+    lam_errors errors = {.arena = arena};
     lam_trimesh triangles;
     bool good = formats[i]->read_triangles(arena, bytes, size, (lam_location){.file = "fuzz"},
                                            &errors, &triangles);
     check_messages(&errors, good);
     if (good) use(arena, &triangles);
-    lam_mesh mesh;
-    if (formats[i]->read_mesh)
-      check_messages(&more, formats[i]->read_mesh(arena, bytes, size,
-                                                  (lam_location){.file = "fuzz"}, &more, &mesh));
+    use_faces(formats[i], arena, bytes, size);
     lam_arena_free(arena);
   }
   return 0;
@@ -96,6 +119,32 @@ static const char stl[] =
     "facet normal -1 0 0 outer loop vertex 0 0 0 vertex 0 0 9 vertex 0 9 0 endloop endfacet\n"
     "facet normal 1 1 1 outer loop vertex 9 0 0 vertex 0 9 0 vertex 0 0 9 endloop endfacet\n"
     "endsolid t\n";
+
+static const char off[] =
+    "OFF # cube\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+    "4 0 2 3 1\n4 4 5 7 6 255 0 0\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n3 1 3 7\n";
+static const char ply[] =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nproperty uchar red\nelement face 2\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n4 0 1 2 3\n3 0 3 1\n";
+
+/* The same as ply, binary with the little end first. */
+static size_t binary_ply_seed(uint8_t *bytes) {
+  static const char header[] =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  static const float corners[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  static const int face[4] = {0, 1, 2, 3};
+  size_t size = sizeof header - 1;
+  memcpy(bytes, header, size);
+  memcpy(bytes + size, corners, sizeof corners);
+  size += sizeof corners;
+  bytes[size++] = 4;
+  memcpy(bytes + size, face, sizeof face);
+  return size + sizeof face;
+}
 
 /* A binary STL of the text's four triangles, with small whole coordinates. */
 static size_t binary_seed(uint8_t *bytes) {
@@ -118,17 +167,26 @@ int main(int argc, char **argv) {
   uint8_t bytes[4096];
   for (long i = 0; i < rounds; i++) {
     size_t size = 0;
-    switch (i % 3) {
+    switch (i % 6) {
     case 0:
       memcpy(bytes, obj, size = sizeof obj - 1);
       break;
     case 1:
       memcpy(bytes, stl, size = sizeof stl - 1);
       break;
+    case 2:
+      memcpy(bytes, off, size = sizeof off - 1);
+      break;
+    case 3:
+      memcpy(bytes, ply, size = sizeof ply - 1);
+      break;
+    case 4:
+      size = binary_ply_seed(bytes);
+      break;
     default:
       size = binary_seed(bytes);
     }
-    if (i >= 3)
+    if (i >= 6)
       size =
           fuzz_mutate(&state, likely, bytes, size, sizeof bytes); /* the seeds themselves first */
     LLVMFuzzerTestOneInput(bytes, size);

@@ -51,7 +51,7 @@ static void add_ball(lam_workshop *shop, const image_keys *k, lam_vec3 center) {
  * workshop's net for the rows that follow. */
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const image_keys *k = params;
-  lam_vec3 center = lam_v3(k->at[0], k->at[1], k->at[2]);
+  lam_vec3 center = lam_sub(lam_v3(k->at[0], k->at[1], k->at[2]), shop->origin);
   lam_mesh image = lam_net_gauss_image(shop->arena, shop->net, shop->net->mesh.vertices, NULL);
   if (!image.face_count) {
     lam_error_add(shop->errors, location, "kind",

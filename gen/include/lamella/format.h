@@ -80,17 +80,20 @@ LAM_API lam_status lam_model_encode(lam_session *session, const lam_model *model
 
 /* ---- reading ----
  * The format follows from the ending. Lengths are in meters afterwards: STL files are in
- * millimeters, OBJ files in meters, CAD files say their unit. What is read is owned by the session,
- * and meaningful with LAM_OK. All return
+ * millimeters, other meshes in meters, CAD files say their unit. What is read is owned by the
+ * session, and meaningful with LAM_OK. All return
  *
  *   LAM_BAD_INPUT  the ending is of no format that holds this, or the content is wrong (the message
  *                  has the line)
  *   LAM_IO         the file cannot be read
  *   LAM_NO_MEMORY */
 
-/* The faces of a mesh file (.obj), with three or four corners each; nets take quads alone. */
+/* The faces of a mesh file (.obj, .off, .ply), with three or four corners each; nets take quads
+ * alone. Vertices in no face are left out, and faces that are turned the other way are turned;
+ * lam_session_notes says so. */
 LAM_API lam_status lam_read_mesh(lam_session *session, const char *path, lam_mesh *mesh);
-/* The triangles of a mesh file (.obj, .stl); faces with more corners are split into triangles. */
+/* The triangles of a mesh file (.obj, .off, .ply, .stl); faces with more corners are split into
+ * triangles. */
 LAM_API lam_status lam_read_triangles(lam_session *session, const char *path, lam_trimesh *mesh);
 /* Surface number face (from 1) of a CAD file. *note: what of it is not read, such as its trimming
  * curves, as a sentence; NULL: nothing. */

@@ -255,6 +255,10 @@ typedef struct lam_model {
   const char *source;  /* of the design; empty when it has none */
   const char *version; /* of the library that built it */
 
+  /* Of all positions below, in the coordinates of what the design was built from, meters: (0, 0, 0)
+   * unless that lies far away. */
+  lam_vec3 origin;
+
   /* The net, and the lines and surfaces of the geometry. */
   const lam_mesh *net; /* NULL: the design has none */
   int polyline_count;

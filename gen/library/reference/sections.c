@@ -59,6 +59,8 @@ static const char *facts_of(lam_arena *arena, const lam_net_kind *kind) {
     add_guide(&text, &kind->guide);
     lam_text_printf(&text, "; weight %g, faded out after %d iterations\n", kind->schedule.fairness,
                     lam_schedule_fade(&kind->schedule));
+    if (kind->file_closeness > kind->guide.closeness)
+      lam_text_printf(&text, "closeness %g where it starts from a mesh\n", kind->file_closeness);
   } else {
     lam_text_add(&text, "no fairness: the start is near the solution\n");
   }

@@ -1,5 +1,6 @@
 /* Models of a session: into a folder, or as bytes. Called through lamella/format.h. */
 #include "core/file.h"
+#include "formats/in_place.h"
 #include "formats/list/formats.h"
 #include "library/session_state.h"
 #include "library/write/inputs_kept.h"
@@ -267,6 +268,7 @@ static lam_status encode(lam_session *session, const lam_model *model, const cha
 
   const lam_format *f = lam_format_named(format);
   const lam_model *shown = model->report ? without_times(session->arena, model) : model;
+  if (f->in_place) shown = lam_model_in_place(session->arena, shown);
   f->path(shown, i, &name);
   lam_status status = f->write(shown, i, &content);
   if (status != LAM_OK)

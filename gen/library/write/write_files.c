@@ -3,6 +3,7 @@
 #include "library/write/write_files.h"
 #include "core/file.h"
 #include "core/grow.h"
+#include "formats/in_place.h"
 #include "formats/list/formats.h"
 #include "library/write/render.h"
 
@@ -93,7 +94,7 @@ void lam_output_plan(lam_arena *arena, const lam_model *model, lam_output *outpu
 /* What all steps of writing need. */
 typedef struct writing {
   lam_arena *arena;
-  const lam_model *model;
+  const lam_model *model, *in_place; /* about its origin, and where it stands */
   lam_output *output;
   const lam_folder *folder;
   const lam_manifest *old;
@@ -152,7 +153,8 @@ static lam_status copy_template(const writing *w, lam_output_file *file) {
 /* What the format makes. */
 static lam_status write_content(const writing *w, lam_output_file *file) {
   lam_text content = {.arena = w->arena};
-  lam_status status = file->format->write(w->model, file->index, &content);
+  lam_status status = file->format->write(file->format->in_place ? w->in_place : w->model,
+                                          file->index, &content);
   if (status != LAM_OK) {
     lam_error_add(w->errors, (lam_location){.file = file->name}, NULL,
                   "the library behind %s failed", file->format->name);
@@ -195,7 +197,8 @@ static double place_of(const lam_format *format) {
 lam_status lam_output_write(lam_arena *arena, const lam_model *model, lam_output *output,
                             const lam_folder *folder, const lam_manifest *old, bool last,
                             lam_errors *notes, lam_errors *errors) {
-  const writing w = {arena, model, output, folder, old, notes, errors};
+  const lam_model *in_place = lam_model_in_place(arena, model);
+  const writing w = {arena, model, in_place, output, folder, old, notes, errors};
   const lam_format *told = NULL;
   lam_status status = LAM_OK;
   for (int i = 0; status == LAM_OK && i < output->count; i++) {

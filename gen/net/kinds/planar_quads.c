@@ -33,6 +33,7 @@ const lam_net_kind lam_net_planar_quads = {
                  .tolerance = 1e-10,
                  .max_iterations = 60},
     .guide = {LAM_FAIR_DISPLACEMENT, 0, 1},
+    .file_closeness = .3,
     .constrain = constrain,
     .measures = measures,
     .constrain_thesis = constrain_thesis};

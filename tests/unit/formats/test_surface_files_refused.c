@@ -53,7 +53,7 @@ static void bad_step_is_refused_with_a_reason(void **state) {
 
 static void bad_iges_is_refused_with_a_reason(void **state) {
   static const bad_case cases[] = {
-      {"a comment", "x", "0: is not an IGES file: column 73 names no section"},
+      {"a comment", "x", "0: is not an IGES file: its lines are not of 80 columns"},
       {"S      1G      2D      4P      4", "S\n", "12: a line of 80 columns expected"},
       {"/1./1/2HIN", "/2./1/2HIN", "2: the scale of the model is not 1: such files are not read"},
       {"/1./1/2HIN", "/1./3/2HIN",

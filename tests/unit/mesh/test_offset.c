@@ -10,7 +10,7 @@ static lam_net solved(net_fixture *f, const char *name, const char *kind_name) {
   lam_net net = net_built(f, &mesh);
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kind_name);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, "{from: {file: x}}");
-  lam_net_job job = {kind, NULL, common, NULL, {0}, NULL};
+  lam_net_job job = {.kind = kind, .common = common};
   lam_net_result result;
   assert_true(lam_net_optimize(f->arena, &job, &net, &f->errors, &result));
   assert_true(result.converged);

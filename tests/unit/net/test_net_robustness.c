@@ -22,9 +22,9 @@ static lam_net_result run(net_fixture *f, const lam_mesh *mesh, const char *cons
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, net_of[0]);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
   common->from.file = "test";
-  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, net_of[1]),
-                     common, NULL,
-                     {0},    NULL};
+  lam_net_job job = {.kind = kind,
+                     .params = net_params(f, kind->head.keys, kind->head.params_size, net_of[1]),
+                     .common = common};
   lam_net_result result;
   bool done = lam_net_optimize(f->arena, &job, &net, &f->errors, &result);
   net_no_errors(f, what);

@@ -41,9 +41,9 @@ static solved solve(net_fixture *f, const char *name, const char *kind_name, con
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
   common->from.file = name;
   if (*hold) common->handles = held(f, &mesh, s.n, hold);
-  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, params),
-                     common, NULL,
-                     {0},    NULL};
+  lam_net_job job = {.kind = kind,
+                     .params = net_params(f, kind->head.keys, kind->head.params_size, params),
+                     .common = common};
   bool done = lam_net_optimize(f->arena, &job, &s.net, &f->errors, &s.result);
   net_no_errors(f, name);
   assert_true(done);
@@ -236,7 +236,7 @@ static void mean_curvature_falls_with_the_square_of_the_edge(void **state) {
     const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, "asymptotic");
     lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, "{}");
     void *params = net_params(f, kind->head.keys, kind->head.params_size, "{orthogonal: yes}");
-    lam_net_job job = {kind, params, common, NULL, {0}, NULL};
+    lam_net_job job = {.kind = kind, .params = params, .common = common};
     assert_true(lam_net_optimize(f->arena, &job, &s.net, &f->errors, &s.result));
     assert_true(s.result.converged);
     s.normals = LAM_NEW(f->arena, lam_vec3, mesh.vertex_count);

@@ -23,12 +23,12 @@ static outcome solve(net_fixture *f, const lam_mesh *mesh, int grid, setup s) {
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, s.keys);
   common->grid[0] = common->grid[1] = grid;
   if (!grid) common->from.file = "mesh.obj";
-  lam_net_job job = {kind,
-                     net_params(f, kind->head.keys, kind->head.params_size, s.params),
-                     common,
-                     s.reference,
-                     (lam_location){"test", 1, 1},
-                     s.progress};
+  lam_net_job job = {.kind = kind,
+                     .params = net_params(f, kind->head.keys, kind->head.params_size, s.params),
+                     .common = common,
+                     .reference = s.reference,
+                     .location = (lam_location){"test", 1, 1},
+                     .progress = s.progress};
   if (!lam_net_optimize(f->arena, &job, &o.net, &f->errors, &o.result)) {
     assert_true(f->errors.count > 0);
     return o;

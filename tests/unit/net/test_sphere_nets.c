@@ -16,9 +16,9 @@ static solved solve(net_fixture *f, const lam_mesh *mesh, const char *kind_name,
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kind_name);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
   common->from.file = "test";
-  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, params),
-                     common, NULL,
-                     {0},    NULL};
+  lam_net_job job = {.kind = kind,
+                     .params = net_params(f, kind->head.keys, kind->head.params_size, params),
+                     .common = common};
   bool done = lam_net_optimize(f->arena, &job, &s.net, &f->errors, &s.result);
   net_no_errors(f, kind_name);
   assert_true(done);
@@ -381,9 +381,9 @@ static void complains(net_fixture *f, const lam_mesh *mesh, const char *kind_nam
   lam_net net = net_built(f, mesh);
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kind_name);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, "{}");
-  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, params),
-                     common, NULL,
-                     {0},    NULL};
+  lam_net_job job = {.kind = kind,
+                     .params = net_params(f, kind->head.keys, kind->head.params_size, params),
+                     .common = common};
   lam_net_result result;
   int before = f->errors.count;
   assert_false(lam_net_optimize(f->arena, &job, &net, &f->errors, &result));

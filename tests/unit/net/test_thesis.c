@@ -259,9 +259,9 @@ static outcome solve(net_fixture *f, const char *mesh_name, const lam_net_kind *
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common,
                                       lam_arena_printf(f->arena, "{solver: %s%s}", solver, more));
   common->from.file = mesh_name;
-  lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, params),
-                     common, NULL,
-                     {0},    NULL};
+  lam_net_job job = {.kind = kind,
+                     .params = net_params(f, kind->head.keys, kind->head.params_size, params),
+                     .common = common};
   assert_true(lam_net_optimize(f->arena, &job, &o.net, &f->errors, &o.result));
   net_no_errors(f, mesh_name);
   if (!o.result.converged)

@@ -83,7 +83,7 @@ static void nets_on_a_molding_surface(void **state) {
     lam_net net = net_built(f, &mesh);
     const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kinds[i]);
     lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, "{grid: [24, 12]}");
-    lam_net_job job = {kind, NULL, common, NULL, {0}, NULL};
+    lam_net_job job = {.kind = kind, .common = common};
     lam_net_result result;
     assert_true(lam_net_optimize(f->arena, &job, &net, &f->errors, &result));
     if (!result.converged) fail_msg("%s: %s", kinds[i], result.reason);
@@ -209,9 +209,9 @@ static void nothing_to_solve(void **state) {
     const lam_net_kind *kind =
         (const lam_net_kind *)lam_registry_find(&lam_nets, "isogonal-molding");
     lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, "{grid: [12, 8]}");
-    lam_net_job job = {kind,   net_params(f, kind->head.keys, kind->head.params_size, rows[i]),
-                       common, NULL,
-                       {0},    NULL};
+    lam_net_job job = {.kind = kind,
+                       .params = net_params(f, kind->head.keys, kind->head.params_size, rows[i]),
+                       .common = common};
     lam_net_result result;
     assert_true(lam_net_optimize(f->arena, &job, &s.net, &f->errors, &result));
     assert_true(result.converged);
