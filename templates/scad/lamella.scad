@@ -20,6 +20,17 @@ function slot_width(angle, thickness, clearance) = thickness * (1 + abs(cos(angl
 function slot(q, thickness, clearance) = let(half = slot_width(q[11], thickness, clearance) / 2)
   [q[12] - half, q[13] + half];
 function is_crossing(q) = q[10] >= 0;
+// Stations between nodes only follow the bend of the strip: those that slots reach, when these are made wider, are left
+// out. A pass from the start against the slots before a station, and one from the end against those after it.
+function past(stations, high) = [for (i = 0, edge = -1e9; i < len(stations);
+    edge = is_crossing(stations[i]) ? high[i] : edge, i = i + 1)
+  if (is_crossing(stations[i]) || i == 0 || i == len(stations) - 1 || stations[i][9] > edge) stations[i]];
+function reversed(list) = [for (i = [len(list) - 1 : -1 : 0]) list[i]];
+function clear(stations, thickness, clearance) =
+  let(ahead = past(stations, [for (q = stations) is_crossing(q) ? q[9] + slot(q, thickness, clearance)[1] : 0]),
+      back = [for (q = reversed(ahead)) [for (i = [0 : 1 : len(q) - 1]) i == 9 ? -q[9] : q[i]]],
+      kept = past(back, [for (q = back) is_crossing(q) ? q[9] - slot(q, thickness, clearance)[0] : 0]))
+  [for (q = reversed(kept)) [for (i = [0 : 1 : len(q) - 1]) i == 9 ? -q[9] : q[i]]];
 // Says which strips have slots that run into each other or past an end; gives the stations.
 function checked(name, stations, thickness, clearance) =
   let(at = [for (q = stations) is_crossing(q) ? q[9] * [1, 1] + slot(q, thickness, clearance) : q[9] * [1, 1]],
@@ -77,9 +88,11 @@ function strip_faces(stations, family, slots, first) =
 function lamella_solid(records, height, thickness, clearance, slots = true) = len(records) == 0 ? [[], []] :
   let(gap = free(clearance), family = records[0][1], floor = floor_height(family, gap),
       section = [for (h = [-height / 2, floor, height / 2]) for (y = [-thickness / 2, thickness / 2]) [1, h, y]],
-      first = 6 * starts([for (r = records) section_count(r[2])]))
-  [[for (r = records) each strip_points(slots ? checked(r[0], r[2], thickness, gap) : r[2], section, thickness, gap)],
-   [for (i = [0 : 1 : len(records) - 1]) each strip_faces(records[i][2], family, slots, first[i])]];
+      strips = [for (r = records) clear(r[2], thickness, gap)],
+      first = 6 * starts([for (stations = strips) section_count(stations)]))
+  [[for (i = [0 : 1 : len(records) - 1])
+      each strip_points(slots ? checked(records[i][0], strips[i], thickness, gap) : strips[i], section, thickness, gap)],
+   [for (i = [0 : 1 : len(records) - 1]) each strip_faces(strips[i], family, slots, first[i])]];
 
 // ---- flat outlines ----
 // The developed strip seen from the side that -b points to: a rectangle from s = 0 to the end, |h| <= height/2, with
@@ -110,6 +123,6 @@ function strip_marks(name, stations, names, family, height) =
 // Outlines [name, polygon, marks, pitch] of records; names are those of all parts, which partners refer to.
 function lamella_outlines(records, names, height, thickness, clearance, slots = true) =
   let(gap = free(clearance))
-  [for (r = records) let(stations = slots ? checked(r[0], r[2], thickness, gap) : r[2])
+  [for (r = records) let(all = clear(r[2], thickness, gap), stations = slots ? checked(r[0], all, thickness, gap) : all)
     [r[0], strip_polygon(stations, r[1], height, thickness, gap, slots),
      strip_marks(r[0], stations, names, r[1], height), 1.2 * height]];
