@@ -193,9 +193,21 @@ static void add_part(lam_workshop *shop, const lam_lamella_grid *grid, const lam
   lam_workshop_part(shop, part);
 }
 
-/* A crossing of lamellas for every node of the grid. In pairs its parts are the first sheets of
- * both lamellas, and the position along each is the mean over its crossings with both sheets of
- * the other. */
+/* Where a node of the grid lies along a strip that passes it: the mean over the strip's crossings
+ * there, which are two when the partner is a pair. */
+static double node_along(const lam_sheet_strip *strip, int node) {
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < strip->station_count; i++) {
+    if (strip->stations[i].between || strip->stations[i].crossing != node) continue;
+    sum += strip->stations[i].s;
+    count++;
+  }
+  return sum / count;
+}
+
+/* A crossing of lamellas for every node of the grid, with its place on every sheet: the sheets of a
+ * pair do not begin beside each other. In pairs its parts are the first sheets of both lamellas. */
 static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
   int sheets = grid->pair > 0 ? 2 : 1;
   for (int i = 0; i < grid->node_count; i++) {
@@ -205,14 +217,9 @@ static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
 
     for (int f = 0; f < 2; f++) {
       const lam_sheet_strip *strip = &grid->strips[node->lamella[f] * sheets];
-      int k = 0, n = 0;
-      for (; k < strip->station_count; k++)
-        if (strip->stations[k].crossing == i) {
-          c.along[f] += strip->stations[k].s;
-          n++;
-        }
       c.parts[f] = strip->part;
-      c.along[f] /= n;
+      c.along[f] = node_along(strip, i);
+      c.second[f] = sheets == 2 ? node_along(strip + 1, i) : NAN;
     }
 
     lam_workshop_crossing(shop, c);

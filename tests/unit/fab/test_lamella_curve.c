@@ -162,6 +162,32 @@ static void all_that_is_made_has_one_length(void **state) {
   assert_true(fixture_measure(&shop, "lamellas", "length_error")->max < 1e-6);
 }
 
+/* The place of a node on each sheet is the middle of its two slots there, from the start of that
+ * sheet: on families that cross at 60 degrees the sheets of a pair begin pair/tan 60 apart. */
+static lam_vec3 skew(double u, double v) { return lam_v3(1.5 * u + v, 2 * v * sin(LAM_PI / 3), 0); }
+
+static void nodes_have_a_place_on_every_sheet(void **state) {
+  lam_mesh mesh = fixture_grid(*state, 4, 5, skew);
+  lam_workshop shop = fixture_workshop(*state, &mesh);
+  lam_lamella_keys keys = fixture_keys();
+  keys.pair = .025;
+  fixture_make(&shop, "lamella", &keys);
+  assert_int_equal(shop.crossing_count, 20);
+  for (int i = 0; i < 20; i++)
+    for (int f = 0; f < 2; f++)
+      for (int k = 0; k < 2; k++) {
+        const lam_crossing *c = &shop.crossings[i];
+        const lam_flat *flat = shop.parts[c->parts[f] + k].flat;
+        double length = shop.parts[c->parts[f] + k].length, along = k ? c->second[f] : c->along[f];
+        if (flat->reversed) along = length - along;
+        int first = f ? i / 4 : i % 4;
+        if (flat->reversed) first = (f ? 4 : 3) - first;
+        assert_near((flat->slots[2 * first].at + flat->slots[2 * first + 1].at) / 2, along, 1e-12);
+        assert_near(flat->slots[2 * first + 1].at - flat->slots[2 * first].at,
+                    .025 / sin(LAM_PI / 3), 1e-12);
+      }
+}
+
 /* The sphere of radius 2 m in steps of 8 degrees. */
 static lam_vec3 sphere(double u, double v) {
   double a = u * 48 * LAM_DEGREE, b = v * 40 * LAM_DEGREE;
@@ -220,6 +246,7 @@ int main(void) {
                                      TEST(stations_between_places_lie_on_the_curve),
                                      TEST(corners_are_not_overshot),
                                      TEST(all_that_is_made_has_one_length),
+                                     TEST(nodes_have_a_place_on_every_sheet),
                                      TEST(outlines_are_within_a_twentieth_of_a_millimeter),
                                      TEST(only_what_is_cut_straight_is_straightened)};
   return cmocka_run_group_tests(tests, NULL, NULL);
