@@ -8,18 +8,23 @@ typedef struct carrier {
   const lam_net *net;
   const lam_vec3 *x;
   lam_vec3 *normals, *sum; /* per vertex; sum: of the normals carried there */
-  bool *kept;              /* per vertex: its edges lie in a plane, whose normal it has */
+  bool *kept;              /* per vertex: it has its normal, and takes no other */
 } carrier;
 
 /* ---- inside ---- */
 
-/* Square to the circles through a regular vertex and its neighbors: their tangents are
+/* A vertex with four edges that lines run through: inside, or in a reentrant corner. */
+static bool is_whole(const lam_net *net, int v) {
+  return net->star_of_vertex[v] >= 0 || (net->boundary[v] && lam_net_valence(net, v) == 4);
+}
+
+/* Square to the circles through such a vertex and its neighbors: their tangents are
  * E1 |E3|^2 - E3 |E1|^2. otherwise: what is taken when these are parallel. */
-static lam_vec3 star_normal(const lam_vec3 *x, const lam_star *star, lam_vec3 otherwise) {
+static lam_vec3 star_normal(const lam_net *net, const lam_vec3 *x, int v, lam_vec3 otherwise) {
+  const int *ring = net->ring + net->ring_start[v];
   lam_vec3 t[2];
   for (int f = 0; f < 2; f++) {
-    lam_vec3 on = lam_sub(x[star->neighbor[f]], x[star->center]),
-             back = lam_sub(x[star->neighbor[f + 2]], x[star->center]);
+    lam_vec3 on = lam_sub(x[ring[f]], x[v]), back = lam_sub(x[ring[f + 2]], x[v]);
     t[f] = lam_unit(lam_along(lam_scale(on, lam_dot(back, back)), -lam_dot(on, on), back));
   }
   lam_vec3 square = lam_cross(t[0], t[1]);
@@ -28,14 +33,14 @@ static lam_vec3 star_normal(const lam_vec3 *x, const lam_star *star, lam_vec3 ot
 
 /* ---- the border ---- */
 
-/* Whether a regular vertex has all its edges square to its normal. Sines; solved nets hold 1e-8. */
+/* Whether a vertex with four edges has them square to its normal. Sines; solved nets hold 1e-8. */
 static bool has_planar_star(const carrier *c, int v) {
-  int star = c->net->star_of_vertex[v];
-  for (int k = 0; k < 4 && star >= 0; k++) {
-    lam_vec3 e = lam_unit(lam_sub(c->x[c->net->stars[star].neighbor[k]], c->x[v]));
+  if (!is_whole(c->net, v)) return false;
+  for (int k = 0; k < 4; k++) {
+    lam_vec3 e = lam_unit(lam_sub(c->x[c->net->ring[c->net->ring_start[v] + k]], c->x[v]));
     if (fabs(lam_dot(e, c->normals[v])) > 1e-5) return false;
   }
-  return star >= 0;
+  return true;
 }
 
 /* Whether a border vertex belongs to a net of planar stars: the vertex beside it has one, and its
@@ -93,16 +98,17 @@ static lam_vec3 carried(int count, const lam_vec3 p[5], const lam_vec3 n[4]) {
   return lam_unit(out_of(&f1, v));
 }
 
-/* Adds what a line carries to its ends. along: lines along the border carry, to corners; otherwise
- * those that come from inside. What is far from the one-sided normal is no continuation, and not
- * taken. */
+/* Adds what a line carries to its ends. along: lines along the border carry, to corners that
+ * nothing else has reached; otherwise those that come from inside. What is far from the one-sided
+ * normal is no continuation, and not taken. */
 static void carry(carrier *c, const lam_polyline *line, bool along) {
   for (int end = 0; end < 2 && !line->closed && line->count > 2; end++) {
     lam_vec3 p[5], n[4];
     const int *v = line->vertices;
-    int first = end ? line->count - 1 : 0, step = end ? -1 : 1, w = v[first];
-    if (!c->net->boundary[w] || c->kept[w] || c->net->boundary[v[first + step]] != along) continue;
-    if (along && lam_net_valence(c->net, w) != 2) continue;
+    int first = end ? line->count - 1 : 0, step = end ? -1 : 1, w = v[first],
+        next = v[first + step];
+    bool inside = !c->net->boundary[next] || is_whole(c->net, next);
+    if (!c->net->boundary[w] || is_whole(c->net, w) || c->kept[w] || inside == along) continue;
 
     for (int k = 0; k < 5 && k < line->count; k++) {
       p[k] = c->x[v[first + k * step]];
@@ -113,12 +119,24 @@ static void carry(carrier *c, const lam_polyline *line, bool along) {
   }
 }
 
-/* Corners wait for the border beside them, and keep their plane where that does. */
+/* A corner keeps the plane of its two edges where the vertices beside it have planar stars. */
 static void keep_corners(carrier *c) {
   for (int v = 0; v < c->net->mesh.vertex_count; v++) {
     const int *ring = c->net->ring + c->net->ring_start[v];
-    if (c->net->boundary[v] && lam_net_valence(c->net, v) == 2)
-      c->kept[v] = c->kept[ring[0]] && c->kept[ring[1]];
+    if (!c->net->boundary[v] || lam_net_valence(c->net, v) != 2) continue;
+    c->kept[v] = true;
+    for (int k = 0; k < 2; k++)
+      c->kept[v] = c->kept[v] && (c->kept[ring[k]] || has_planar_star(c, ring[k]));
+  }
+}
+
+/* Takes over what was carried; who has that is done. */
+static void settle(carrier *c) {
+  for (int v = 0; v < c->net->mesh.vertex_count; v++) {
+    if (!(lam_length(c->sum[v]) > 0)) continue;
+    c->normals[v] = lam_unit(c->sum[v]);
+    c->sum[v] = lam_v3(0, 0, 0);
+    c->kept[v] = true;
   }
 }
 
@@ -131,18 +149,14 @@ void lam_surface_normals(lam_arena *arena, const lam_net *net, const lam_vec3 *p
                LAM_NEW(arena, bool, count)};
 
   lam_net_normals(net, positions, normals);
-  for (int i = 0; i < net->star_count; i++)
-    normals[net->stars[i].center] =
-        star_normal(positions, &net->stars[i], normals[net->stars[i].center]);
+  for (int v = 0; v < count; v++)
+    if (is_whole(net, v)) normals[v] = star_normal(net, positions, v, normals[v]);
   for (int v = 0; v < count; v++) c.kept[v] = has_planar_edges(&c, v);
   keep_corners(&c);
 
   for (int pass = 0; pass < 2; pass++) {
     for (int i = 0; i < net->polyline_count; i++) carry(&c, &net->polylines[i], pass == 1);
-    for (int v = 0; v < count; v++) {
-      if (lam_length(c.sum[v]) > 0) normals[v] = lam_unit(c.sum[v]);
-      c.sum[v] = lam_v3(0, 0, 0);
-    }
+    settle(&c);
   }
   lam_arena_release(arena, mark);
 }

@@ -53,6 +53,39 @@ static void spheres_are_exact(void **state) {
   assert_below(worst(sphere, 3, 4, (double[]){-.4, .5}, (double[]){-.3, .7}), 1e-13);
 }
 
+/* Three quarters of a net, with a reentrant corner: lines run through it, and its normal and those
+ * of the vertices beside it are exact too. */
+static void reentrant_corners_are_exact(void **state) {
+  (void)state;
+  enum { n = 9, half = 4 };
+  lam_arena *arena = lam_arena_new();
+  lam_errors errors = {.arena = arena};
+  lam_mesh all = lam_mesh_grid(arena, n, n, false, false), mesh = all;
+  int number[n * n];
+  mesh.vertex_count = mesh.face_count = 0;
+  for (int v = 0; v < n * n; v++) {
+    if (v / n > half && v % n > half) continue;
+    number[v] = mesh.vertex_count;
+    mesh.vertices[mesh.vertex_count++] = sphere(.1 * (v / n), .1 * (v % n)).x;
+  }
+  for (int f = 0; f < all.face_count; f++) {
+    int corner[4], first = all.faces[f][0];
+    if (first / n >= half && first % n >= half) continue;
+    for (int k = 0; k < 4; k++) corner[k] = number[all.faces[f][k]];
+    for (int k = 0; k < 4; k++) mesh.faces[mesh.face_count][k] = corner[k];
+    mesh.face_count++;
+  }
+
+  lam_net net;
+  assert_true(lam_net_build(arena, &mesh, (lam_location){0}, &errors, &net));
+  assert_int_equal(lam_net_valence(&net, number[half * n + half]), 4);
+  lam_vec3 *normals = LAM_NEW(arena, lam_vec3, n * n);
+  lam_surface_normals(arena, &net, net.mesh.vertices, normals);
+  for (int v = 0; v < mesh.vertex_count; v++)
+    assert_near(lam_distance(normals[v], lam_unit(net.mesh.vertices[v])), 0, 1e-13);
+  lam_arena_free(arena);
+}
+
 /* x and z by u along a helix of 45 degrees, y by v along the one that turns the other way. */
 static place cylinder(double u, double v) {
   return (place){lam_v3(2 * cos(u - v), 2 * sin(u - v), 2 * (u + v)),
@@ -104,6 +137,7 @@ static void planar_stars_keep_their_planes(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(spheres_are_exact),
+      cmocka_unit_test(reentrant_corners_are_exact),
       cmocka_unit_test(helices_are_exact),
       cmocka_unit_test(other_surfaces_are_near),
       cmocka_unit_test(planar_stars_keep_their_planes),
