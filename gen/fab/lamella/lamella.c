@@ -96,18 +96,20 @@ static void check_names(lam_workshop *shop, const lam_lamella_grid *grid, lam_lo
 
 /* ---- records for OpenSCAD ---- */
 static const lam_record_column columns[] = {
-    {"x", true, 4},        {"y", true, 4},        {"z", true, 4},        {"tx", false, 7},
-    {"ty", false, 7},      {"tz", false, 7},      {"mx", false, 7},      {"my", false, 7},
-    {"mz", false, 7},      {"s", true, 4},        {"partner", false, 0}, {"slot_angle", false, 6},
-    {"slot_low", true, 4}, {"slot_high", true, 4}};
+    {"x", true, 4},        {"y", true, 4},         {"z", true, 4},        {"tx", false, 7},
+    {"ty", false, 7},      {"tz", false, 7},       {"mx", false, 7},      {"my", false, 7},
+    {"mz", false, 7},      {"s", true, 4},         {"partner", false, 0}, {"slot_angle", false, 6},
+    {"slot_low", true, 4}, {"slot_high", true, 4}, {"heading", false, 7}};
 enum { column_count = sizeof columns / sizeof columns[0] };
 
-/* The stations of a strip as the table that lamella.scad rebuilds it from: a row per station. */
+/* The stations of a strip as the table that lamella.scad rebuilds it from: a row per station. The
+ * heading is that of the pattern: none where it is cut straight. */
 static lam_record *make_record(lam_arena *arena, const lam_lamella_grid *grid,
                                const lam_sheet_strip *strip) {
   double *value = LAM_NEW(arena, double, column_count * strip->station_count);
   lam_record *record = LAM_NEW(arena, lam_record, 1);
   *record = (lam_record){strip->name, strip->family, column_count, strip->station_count, value};
+  bool straight = lam_lamella_is_straight(arena, strip);
 
   for (int i = 0; i < strip->station_count; i++) {
     const lam_station *q = &strip->stations[i];
@@ -124,7 +126,8 @@ static lam_record *make_record(lam_arena *arena, const lam_lamella_grid *grid,
                                       q->partner < 0 ? -1 : grid->strips[q->partner].part,
                                       q->slot_angle / LAM_DEGREE,
                                       q->slot_low,
-                                      q->slot_high};
+                                      q->slot_high,
+                                      straight ? 0 : q->heading / LAM_DEGREE};
 
     memcpy(value + i * column_count, row, sizeof row);
   }
