@@ -102,6 +102,7 @@ typedef struct lam_spherical_star_params {
   double radius; /* meters, signed: positive when the centers lie on the side of the normal;
                     INFINITY: planes; 0: it is found */
   int spheres;   /* lam_spheres, when the radius is found */
+  bool border;   /* border vertices with one inner edge, and reentrant corners, take part */
 } lam_spherical_star_params;
 extern const lam_constraint_kind lam_con_spherical_star;
 

@@ -73,6 +73,58 @@ static void common_sphere(int n, const double *x, const double *p, double *r, do
   for (int i = 0; i < 2; i++) J[i * n + 15] = -1;
 }
 
+/* ---- on the border ---- */
+
+/* Border vertex with its border edges E1, E3 and its inner edge E2 between them: the sphere through
+ * the four vertices has the center w / (2 d) from v,
+ *   d = E1 . (E2 x E3),  w = |E1|^2 E2 x E3 + |E2|^2 E3 x E1 + |E3|^2 E1 x E2,
+ * and the curvature
+ *   kappa = 2 d / |w|   (1/length; signed as above; 0 when the edges lie in a plane)
+ * By E_i, with j, k next in turn and u = unit(w):
+ *   dd = E_j x E_k,  d|w| = 2 (u . (E_j x E_k)) E_i + |E_j|^2 u x E_k + |E_k|^2 E_j x u
+ * Every vertex lies on a sphere with its neighbors here, so there is nothing to ask for without a
+ * curvature that is given or common. */
+static double border_curvature(const double *x, lam_vec3 dE[3]) {
+  lam_vec3 v = lam_local(x, 0), E[3], square[3], w = {0, 0, 0};
+  double q[3];
+  for (int i = 0; i < 3; i++) {
+    E[i] = lam_sub(lam_local(x, i + 1), v);
+    q[i] = lam_dot(E[i], E[i]);
+  }
+  for (int i = 0; i < 3; i++) {
+    square[i] = lam_cross(E[(i + 1) % 3], E[(i + 2) % 3]);
+    w = lam_along(w, q[i], square[i]);
+  }
+
+  double size = lam_length(w), kappa = 2 * lam_dot(E[0], square[0]) / size;
+  lam_vec3 u = lam_scale(w, 1 / size);
+  for (int i = 0; i < 3 && dE; i++) {
+    int j = (i + 1) % 3, k = (i + 2) % 3;
+    lam_vec3 dw = lam_scale(E[i], 2 * lam_dot(u, square[i]));
+    dw = lam_along(lam_along(dw, q[j], lam_cross(u, E[k])), q[k], lam_cross(E[j], u));
+    dE[i] = lam_scale(lam_along(lam_scale(square[i], 2), -kappa, dw), 1 / size);
+  }
+  return kappa;
+}
+
+/* r = kappa - k  (1/length);  p[0] = k */
+static void given_border(int n, const double *x, const double *p, double *r, double *J) {
+  lam_vec3 dE[3];
+  r[0] = border_curvature(x, J ? dE : NULL) - p[0];
+  if (!J) return;
+  for (int c = 0; c < n; c++) J[c] = 0;
+  lam_star_row(J, 3, dE);
+}
+
+/* The same with k as the unknown x[12]: dr/dk = -1. */
+static void common_border(int n, const double *x, const double *p, double *r, double *J) {
+  (void)p;
+  given_border(n, x, x + 12, r, J);
+  if (J) J[12] = -1;
+}
+
+/* ---- blocks ---- */
+
 /* The mean curvature of all stars where the vertices are now, in 1 / solver unit. */
 static double mean_at_start(const lam_problem *problem, const int *stars, int count) {
   double sum = 0;
@@ -86,14 +138,12 @@ static double mean_at_start(const lam_problem *problem, const int *stars, int co
   return sum / count;
 }
 
-/* The stars with one more node, which holds the curvature of all. */
-static const int *with_common_node(lam_scope *scope, const int *stars, int count) {
-  lam_problem *problem = scope->problem;
-  double start = mean_at_start(problem, stars, count);
-  int node = lam_problem_node(problem, 1, &start), *nodes = LAM_NEW(problem->arena, int, 6 * count);
+/* The elements of `arity` nodes with one more each. */
+static const int *with_node(lam_scope *scope, const int *elements, int arity, int count, int node) {
+  int *nodes = LAM_NEW(scope->problem->arena, int, (arity + 1) * count);
   for (int i = 0; i < count; i++) {
-    for (int k = 0; k < 5; k++) nodes[6 * i + k] = stars[5 * i + k];
-    nodes[6 * i + 5] = node;
+    for (int k = 0; k < arity; k++) nodes[(arity + 1) * i + k] = elements[arity * i + k];
+    nodes[(arity + 1) * i + arity] = node;
   }
   return nodes;
 }
@@ -109,33 +159,55 @@ static bool radius_fits(const lam_scope *scope, double radius, lam_location loca
   return false;
 }
 
-/* Makes the block one of spheres with the given radius in meters. */
+/* Gives a block of spheres the radius in meters as its parameter. */
 static void give_radius(const lam_scope *scope, double radius, lam_block *block) {
-  block->kernel = given_sphere;
   block->param_count = 1;
   block->params = LAM_NEW(scope->problem->arena, double, block->count);
   for (int i = 0; i < block->count; i++) block->params[i] = scope->unit / radius;
 }
 
+/* Border vertices with the curvature that the inner stars have: given, or in a common node. */
+static void add_border(lam_scope *scope, double radius, int common, double weight) {
+  lam_block block = {.name = "spherical-star", .rows = 1, .weight = weight, .arity = 4};
+  block.count = lam_scope_half_stars(scope, &block.nodes);
+  if (radius != 0) {
+    block.kernel = given_border;
+    give_radius(scope, radius, &block);
+  } else {
+    block.kernel = common_border;
+    block.nodes = with_node(scope, block.nodes, 4, block.count, common);
+    block.arity = 5;
+  }
+  lam_problem_add(scope->problem, block);
+}
+
 /* The kernel is chosen by what is known of the radius. */
 static void add(lam_scope *scope, const void *params, double weight, lam_location location) {
   const lam_spherical_star_params *given = params;
+  bool common = given->radius == 0 && given->spheres == LAM_SPHERES_COMMON;
+  int node = -1;
   lam_block block = {.name = "spherical-star", .rows = 2, .weight = weight, .arity = 5};
-  block.count = lam_scope_stars(scope, false, &block.nodes);
+  block.count = lam_scope_stars(scope, given->border, &block.nodes);
   if (block.count == 0) return;
 
   if (given->radius != 0) {
     if (!radius_fits(scope, given->radius, location)) return;
+    block.kernel = given_sphere;
     give_radius(scope, given->radius, &block);
-  } else if (given->spheres == LAM_SPHERES_COMMON) {
+  } else if (common) {
+    double start = mean_at_start(scope->problem, block.nodes, block.count);
+    node = lam_problem_node(scope->problem, 1, &start);
     block.kernel = common_sphere;
-    block.nodes = with_common_node(scope, block.nodes, block.count);
+    block.nodes = with_node(scope, block.nodes, 5, block.count, node);
     block.arity = 6;
   } else {
     block.kernel = own_sphere;
     block.rows = 1;
   }
+
   lam_problem_add(scope->problem, block);
+  if (given->border && (common || given->radius != 0))
+    add_border(scope, given->radius, node, weight);
 }
 
 static const char *const sphere_choices[] = {"own", "common", NULL};
@@ -147,6 +219,9 @@ static const lam_key keys[] = {
     LAM_CHOICE_KEY(lam_spherical_star_params, "spheres", spheres, "own", sphere_choices,
                    "When the radius is found. own: every star has a sphere of its own; common: all "
                    "have the same, unknown radius."),
+    LAM_FLAG_KEY(lam_spherical_star_params, "border", border, "no",
+                 "Vertices of the border take part, where the radius is given or common: with "
+                 "their three neighbors, and reentrant corners, which have four edges."),
     {0}};
 
 const lam_constraint_kind lam_con_spherical_star = {

@@ -3,6 +3,7 @@
 #include "design/stages.h"
 #include "mesh/coarsen.h"
 #include "mesh/diagonalize.h"
+#include "mesh/surface_normals.h"
 #include "net/optimize.h"
 #include "net/trace/trace.h"
 
@@ -237,7 +238,7 @@ static void set_on_ground(lam_build *build, const lam_net_common *common) {
 static void keep_net(lam_build *build) {
   lam_net *net = build->net;
   build->normals = LAM_NEW(build->arena, lam_vec3, net->mesh.vertex_count);
-  lam_net_normals(net, net->mesh.vertices, build->normals);
+  lam_surface_normals(build->arena, net, net->mesh.vertices, build->normals);
 
   build->model->net = &net->mesh;
   build->model->polyline_count = net->polyline_count;

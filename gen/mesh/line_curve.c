@@ -1,6 +1,7 @@
 /* Smooth curves along the lines of a net: the curves that fab/workshop.c adds to the model. */
 #include "mesh/line_curve.h"
 #include "curve/interpolate.h"
+#include "curve/length.h"
 
 /* The conditions at the ends of an interpolating cubic change it n points further in by a factor of
  * about (2 - sqrt 3)^n, 1e-14 for n = 24. A closed curve is therefore cut out of an open one that
@@ -47,4 +48,22 @@ lam_spline_curve lam_polyline_curve(lam_arena *arena, const lam_vec3 *positions,
   if (n < 2) return (lam_spline_curve){0};
   if (line->closed && n >= 4) return closed_curve(arena, x, n - 1);
   return lam_interpolate_points(arena, LAM_ENDS_NOT_A_KNOT, 3, LAM_PARAMETERS_CHORD, n, x);
+}
+
+/* Parameters go by the lengths of edges; the length is summed from vertex to vertex. */
+double *lam_polyline_lengths(lam_arena *arena, const lam_vec3 *positions,
+                             const lam_polyline *line) {
+  int count = line->count + line->closed;
+  double *length = LAM_NEW(arena, double, count), *t = LAM_NEW(arena, double, count);
+  for (int k = 1; k < count; k++)
+    t[k] = t[k - 1] + lam_distance(positions[line->vertices[k - 1]],
+                                   positions[line->vertices[k % line->count]]);
+  if (!(t[count - 1] > 0)) return length;
+
+  lam_spline_curve spline = lam_polyline_curve(arena, positions, line);
+  lam_curve curve = lam_curve_of_spline(arena, &spline);
+  for (int k = 1; k < count; k++)
+    length[k] = length[k - 1] + lam_curve_length(&curve, t[k - 1] / t[count - 1],
+                                                 fmin(1, t[k] / t[count - 1]), 1e-10);
+  return length;
 }

@@ -16,5 +16,8 @@
  * Knots and points are owned by arena. */
 lam_spline_curve lam_polyline_curve(lam_arena *arena, const lam_vec3 *positions,
                                     const lam_polyline *line);
+/* The arc length of that curve at every vertex of the line, in meters, from 0 at the first; of a
+ * closed line once more for the way back to it. To 1e-10; owned by arena. */
+double *lam_polyline_lengths(lam_arena *arena, const lam_vec3 *positions, const lam_polyline *line);
 
 #endif

@@ -2,10 +2,11 @@
 // use <lamella.scad>. Millimeters and degrees.
 //
 // A record is [name, family, stations]. A station is a cross-section of the strip:
-//   [x, y, z,  tx, ty, tz,  mx, my, mz,  s, partner, slot_angle, slot_low, slot_high]
+//   [x, y, z,  tx, ty, tz,  mx, my, mz,  s, partner, slot_angle, slot_low, slot_high,  heading]
 // a point of the middle line, the unit direction of travel t, the unit height direction m, the arc length s; at a
 // crossing the index of the partner (otherwise -1), the smallest angle between the two while the grid is erected, and
-// how far the partner's middle line moves along t meanwhile. With b = m x t the material is
+// how far the partner's middle line moves along t meanwhile; the direction of travel in the flat pattern (0 throughout
+// when the strip is cut straight). With b = m x t the material is
 //   { x + h m + y b : |h| <= height/2, |y| <= thickness/2 }, interpolated between stations.
 use <parts.scad>
 
@@ -20,6 +21,17 @@ function slot_width(angle, thickness, clearance) = thickness * (1 + abs(cos(angl
 function slot(q, thickness, clearance) = let(half = slot_width(q[11], thickness, clearance) / 2)
   [q[12] - half, q[13] + half];
 function is_crossing(q) = q[10] >= 0;
+// Stations between nodes only follow the bend of the strip: those that slots reach, when these are made wider, are left
+// out. A pass from the start against the slots before a station, and one from the end against those after it.
+function past(stations, high) = [for (i = 0, edge = -1e9; i < len(stations);
+    edge = is_crossing(stations[i]) ? high[i] : edge, i = i + 1)
+  if (is_crossing(stations[i]) || i == 0 || i == len(stations) - 1 || stations[i][9] > edge) stations[i]];
+function reversed(list) = [for (i = [len(list) - 1 : -1 : 0]) list[i]];
+function clear(stations, thickness, clearance) =
+  let(ahead = past(stations, [for (q = stations) is_crossing(q) ? q[9] + slot(q, thickness, clearance)[1] : 0]),
+      back = [for (q = reversed(ahead)) [for (i = [0 : 1 : len(q) - 1]) i == 9 ? -q[9] : q[i]]],
+      kept = past(back, [for (q = back) is_crossing(q) ? q[9] - slot(q, thickness, clearance)[0] : 0]))
+  [for (q = reversed(kept)) [for (i = [0 : 1 : len(q) - 1]) i == 9 ? -q[9] : q[i]]];
 // Says which strips have slots that run into each other or past an end; gives the stations.
 function checked(name, stations, thickness, clearance) =
   let(at = [for (q = stations) is_crossing(q) ? q[9] * [1, 1] + slot(q, thickness, clearance) : q[9] * [1, 1]],
@@ -77,39 +89,61 @@ function strip_faces(stations, family, slots, first) =
 function lamella_solid(records, height, thickness, clearance, slots = true) = len(records) == 0 ? [[], []] :
   let(gap = free(clearance), family = records[0][1], floor = floor_height(family, gap),
       section = [for (h = [-height / 2, floor, height / 2]) for (y = [-thickness / 2, thickness / 2]) [1, h, y]],
-      first = 6 * starts([for (r = records) section_count(r[2])]))
-  [[for (r = records) each strip_points(slots ? checked(r[0], r[2], thickness, gap) : r[2], section, thickness, gap)],
-   [for (i = [0 : 1 : len(records) - 1]) each strip_faces(records[i][2], family, slots, first[i])]];
+      strips = [for (r = records) clear(r[2], thickness, gap)],
+      first = 6 * starts([for (stations = strips) section_count(stations)]))
+  [[for (i = [0 : 1 : len(records) - 1])
+      each strip_points(slots ? checked(records[i][0], strips[i], thickness, gap) : strips[i], section, thickness, gap)],
+   [for (i = [0 : 1 : len(records) - 1]) each strip_faces(strips[i], family, slots, first[i])]];
 
 // ---- flat outlines ----
-// The developed strip seen from the side that -b points to: a rectangle from s = 0 to the end, |h| <= height/2, with
-// its slots.
-function strip_polygon(stations, family, height, thickness, clearance, slots) =
-  let(end = stations[len(stations) - 1][9], floor = floor_height(family, clearance),
-      edge = family == 0 ? height / 2 : -height / 2)
-  concat([[0, -edge], [0, edge]],
-    [for (q = stations) if (slots && is_crossing(q)) let(at = slot(q, thickness, clearance))
-      each [[q[9] + at[0], edge], [q[9] + at[0], floor], [q[9] + at[1], floor], [q[9] + at[1], edge]]],
-    [[end, edge], [end, -edge]]);
+// The developed strip is seen from the side that -b points to. Its middle line has steps as long as those of s, in the
+// mean of the directions at their ends; the chord from end to end lies along x. A frame is [point, direction].
+function direction(angle) = [cos(angle), sin(angle)];
+function middle_line(stations) = [for (i = 0, p = [0, 0]; i < len(stations);
+    p = i + 1 == len(stations) ? p : p + (stations[i + 1][9] - stations[i][9]) *
+      direction((stations[i][14] + stations[i + 1][14]) / 2), i = i + 1) p];
+function flat_frames(stations) =
+  let(line = middle_line(stations), chord = line[len(line) - 1], turn = atan2(chord.y, chord.x),
+      x = direction(-turn), y = direction(90 - turn))
+  [for (i = [0 : 1 : len(line) - 1]) [line[i].x * x + line[i].y * y, stations[i][14] - turn]];
+// The point at a distance along and across a frame.
+function at_frame(frame, along, across) =
+  frame[0] + along * direction(frame[1]) + across * direction(frame[1] + 90);
+
+// From the start along the edge without slots, and back along the other one; |h| <= height/2 across the middle line.
+function strip_polygon(stations, frames, family, height, thickness, clearance, slots) =
+  let(last = len(stations) - 1, floor = floor_height(family, clearance), edge = family == 0 ? height / 2 : -height / 2)
+  concat([for (frame = frames) at_frame(frame, 0, -edge)],
+    [for (i = [last : -1 : 0]) each slots && is_crossing(stations[i]) ?
+      let(at = slot(stations[i], thickness, clearance))
+      [for (p = [[at[1], edge], [at[1], floor], [at[0], floor], [at[0], edge]]) at_frame(frames[i], p.x, p.y)] :
+      [at_frame(frames[i], 0, edge)]]);
 
 // Lettering [text, [x, y], angle, size]: the partner's name at each crossing, on the level without the slot, reading
 // along h; the strip's own name at both ends. Letters are about .8 size wide.
 function fitted(text, width, height) = min(width / (.8 * len(text)), height);
-function strip_marks(name, stations, names, family, height) =
+function strip_marks(name, stations, frames, names, family, height) =
   let(last = len(stations) - 1,
       at = [for (q = stations) if (is_crossing(q)) q[9]],
       end = stations[last][9], room = len(at) == 0 ? [end, end] : [at[0], end - at[len(at) - 1]],
       gaps = [for (i = [1 : 1 : len(at) - 1]) at[i] - at[i - 1]], gap = len(gaps) == 0 ? end : min(gaps),
       side = family == 0 ? -height / 4 : height / 4)
   concat(
-    [for (q = stations) if (is_crossing(q)) let(text = names[q[10]])
-      [text, [q[9], side], 90, fitted(text, .4 * height, min(.6 * gap, .15 * height))]],
-    [for (k = [0, 1]) [name, [k == 0 ? room[0] / 2 : end - room[1] / 2, 0], 0,
-      fitted(name, .7 * room[k], .2 * height)]]);
+    [for (i = [0 : 1 : last]) if (is_crossing(stations[i])) let(text = names[stations[i][10]])
+      [text, at_frame(frames[i], 0, side), frames[i][1] + 90, fitted(text, .4 * height, min(.6 * gap, .15 * height))]],
+    [for (k = [0, 1]) let(frame = frames[k * last], along = (k == 0 ? 1 : -1) * room[k] / 2)
+      [name, at_frame(frame, along, 0), frame[1], fitted(name, .7 * room[k], .2 * height)]]);
 
-// Outlines [name, polygon, marks, pitch] of records; names are those of all parts, which partners refer to.
+// Outlines [name, polygon, marks, pitch] of records; names are those of all parts, which partners refer to. A bent strip
+// is moved so that its box is about the x axis.
+function lowered(p, by) = [p.x, p.y - by];
 function lamella_outlines(records, names, height, thickness, clearance, slots = true) =
   let(gap = free(clearance))
-  [for (r = records) let(stations = slots ? checked(r[0], r[2], thickness, gap) : r[2])
-    [r[0], strip_polygon(stations, r[1], height, thickness, gap, slots),
-     strip_marks(r[0], stations, names, r[1], height), 1.2 * height]];
+  [for (r = records)
+    let(all = clear(r[2], thickness, gap), stations = slots ? checked(r[0], all, thickness, gap) : all,
+        frames = flat_frames(stations),
+        polygon = strip_polygon(stations, frames, r[1], height, thickness, gap, slots),
+        y = [for (p = polygon) p.y], middle = (min(y) + max(y)) / 2)
+    [r[0], [for (p = polygon) lowered(p, middle)],
+     [for (m = strip_marks(r[0], stations, frames, names, r[1], height)) [m[0], lowered(m[1], middle), m[2], m[3]]],
+     max(y) - min(y) + .2 * height]];

@@ -106,6 +106,37 @@ check_design() { # NAME
   ok $? "$name: slots that run into each other are announced"
 }
 
+# A strip on a net of constant normal curvature 1/r is cut along arcs of radius r -+ h/2, with straight ends e: with half the
+# angle a = (length - 2 e) / 2 r its pattern is (r + h/2) - (r - h/2) cos a + e sin a high. r is that of the report, h, e and
+# the length are those of the design and the data. The area is still length x height, less the slots.
+check_bent() { # NAME PART EXTEND
+  local name=$1 part=$2 main=$work/$1/$1.scad
+  "$program" build "templates/designs/$name.yaml" -o "$work/$name" --only scad,report --quiet >"$work/build" 2>&1
+  ok $? "$name: builds"
+  export_scad "$main" "$work/bent.svg" -D 'show="one outline"' -D "part=\"$part\""
+  near "$(area_of "$work/bent.svg")" "$(expected_area "$main" "$part")" 1e-4
+  ok $? "$name: the flat outline of $part has the area of its strip less its slots"
+  python3 - "$work/bent.svg" "$work/$name/report.json" "${main%.scad}_data.scad" "$main" "$part" "$3" <<'SCRIPT' || false
+import json, math, re, sys
+svg, report, data, main = (open(f).read() for f in sys.argv[1:5])
+part, extend = sys.argv[5], float(sys.argv[6])
+y = [float(n) for n in re.findall(r"[ML] ?-?[\d.e-]+,(-?[\d.e-]+)", svg)]
+stages = json.loads(report)["stages"]
+k = next(s["measures"]["star_curvature"]["mean"] for s in stages if "star_curvature" in s["measures"])
+height = float(re.search(r"^height = ([\d.]+);", main, re.M)[1])
+rows = re.search(r'\["%s", \d, \[\n(.*?)\]\]' % part, data, re.S)[1]
+length = float(rows.strip().split("\n")[-1].strip("[],").split(",")[9])
+r = 1e3 / abs(k)
+a = (length - 2 * extend) / 2 / r
+expected = (r + height / 2) - (r - height / 2) * math.cos(a) + extend * math.sin(a)
+found = max(y) - min(y)
+if abs(found - expected) > 0.5:
+    print(f"# {found} mm high, {expected} expected")
+    sys.exit(1)
+SCRIPT
+  ok $? "$name: the flat outline of $part bends with the radius of the net's spheres"
+}
+
 # The same model through a second engine, OpenSCAD with Manifold.
 check_second_engine() { # NAME
   local name=$1 packages
@@ -128,6 +159,7 @@ SCRIPT
   ok $? "$name: a second engine, OpenSCAD with Manifold, agrees too"
 }
 
+check_bent unduloid-vault A10 40
 check_design enneper-model
 check_second_engine enneper-model
 check_design asymptotic-pavilion

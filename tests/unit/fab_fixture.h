@@ -12,6 +12,7 @@
 #include "fab/lamella/lamella_checks.h"
 #include "fab/lamella/lamella_make.h"
 #include "mesh/net.h"
+#include "mesh/surface_normals.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +56,7 @@ static inline lam_workshop fixture_workshop(lam_arena *arena, const lam_mesh *me
   if (!lam_net_build(arena, mesh, (lam_location){0}, errors, net))
     fail_msg("%s", errors->first->text);
   lam_vec3 *normals = LAM_NEW(arena, lam_vec3, mesh->vertex_count);
-  lam_net_normals(net, net->mesh.vertices, normals);
+  lam_surface_normals(arena, net, net->mesh.vertices, normals);
   return (lam_workshop){.arena = arena, .errors = errors, .net = net, .normals = normals};
 }
 

@@ -96,18 +96,20 @@ static void check_names(lam_workshop *shop, const lam_lamella_grid *grid, lam_lo
 
 /* ---- records for OpenSCAD ---- */
 static const lam_record_column columns[] = {
-    {"x", true, 4},        {"y", true, 4},        {"z", true, 4},        {"tx", false, 7},
-    {"ty", false, 7},      {"tz", false, 7},      {"mx", false, 7},      {"my", false, 7},
-    {"mz", false, 7},      {"s", true, 4},        {"partner", false, 0}, {"slot_angle", false, 6},
-    {"slot_low", true, 4}, {"slot_high", true, 4}};
+    {"x", true, 4},        {"y", true, 4},         {"z", true, 4},        {"tx", false, 7},
+    {"ty", false, 7},      {"tz", false, 7},       {"mx", false, 7},      {"my", false, 7},
+    {"mz", false, 7},      {"s", true, 4},         {"partner", false, 0}, {"slot_angle", false, 6},
+    {"slot_low", true, 4}, {"slot_high", true, 4}, {"heading", false, 7}};
 enum { column_count = sizeof columns / sizeof columns[0] };
 
-/* The stations of a strip as the table that lamella.scad rebuilds it from: a row per station. */
+/* The stations of a strip as the table that lamella.scad rebuilds it from: a row per station. The
+ * heading is that of the pattern: none where it is cut straight. */
 static lam_record *make_record(lam_arena *arena, const lam_lamella_grid *grid,
                                const lam_sheet_strip *strip) {
   double *value = LAM_NEW(arena, double, column_count * strip->station_count);
   lam_record *record = LAM_NEW(arena, lam_record, 1);
   *record = (lam_record){strip->name, strip->family, column_count, strip->station_count, value};
+  bool straight = lam_lamella_is_straight(arena, strip);
 
   for (int i = 0; i < strip->station_count; i++) {
     const lam_station *q = &strip->stations[i];
@@ -124,7 +126,8 @@ static lam_record *make_record(lam_arena *arena, const lam_lamella_grid *grid,
                                       q->partner < 0 ? -1 : grid->strips[q->partner].part,
                                       q->slot_angle / LAM_DEGREE,
                                       q->slot_low,
-                                      q->slot_high};
+                                      q->slot_high,
+                                      straight ? 0 : q->heading / LAM_DEGREE};
 
     memcpy(value + i * column_count, row, sizeof row);
   }
@@ -193,9 +196,21 @@ static void add_part(lam_workshop *shop, const lam_lamella_grid *grid, const lam
   lam_workshop_part(shop, part);
 }
 
-/* A crossing of lamellas for every node of the grid. In pairs its parts are the first sheets of
- * both lamellas, and the position along each is the mean over its crossings with both sheets of
- * the other. */
+/* Where a node of the grid lies along a strip that passes it: the mean over the strip's crossings
+ * there, which are two when the partner is a pair. */
+static double node_along(const lam_sheet_strip *strip, int node) {
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < strip->station_count; i++) {
+    if (strip->stations[i].between || strip->stations[i].crossing != node) continue;
+    sum += strip->stations[i].s;
+    count++;
+  }
+  return sum / count;
+}
+
+/* A crossing of lamellas for every node of the grid, with its place on every sheet: the sheets of a
+ * pair do not begin beside each other. In pairs its parts are the first sheets of both lamellas. */
 static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
   int sheets = grid->pair > 0 ? 2 : 1;
   for (int i = 0; i < grid->node_count; i++) {
@@ -205,14 +220,9 @@ static void add_crossings(lam_workshop *shop, const lam_lamella_grid *grid) {
 
     for (int f = 0; f < 2; f++) {
       const lam_sheet_strip *strip = &grid->strips[node->lamella[f] * sheets];
-      int k = 0, n = 0;
-      for (; k < strip->station_count; k++)
-        if (strip->stations[k].crossing == i) {
-          c.along[f] += strip->stations[k].s;
-          n++;
-        }
       c.parts[f] = strip->part;
-      c.along[f] /= n;
+      c.along[f] = node_along(strip, i);
+      c.second[f] = sheets == 2 ? node_along(strip + 1, i) : NAN;
     }
 
     lam_workshop_crossing(shop, c);

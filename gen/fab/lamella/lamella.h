@@ -26,10 +26,14 @@
 
 typedef struct lam_station {
   lam_vec3 x, t, m;
-  double s;     /* developed arc length along the sheet's middle line, from 0 at its start */
-  int partner;  /* sheet index that crosses here; -1: no crossing */
-  int crossing; /* index of the net crossing in the grid; -1 */
-  double angle; /* crossing angle, in (0, pi); 0 when no crossing */
+  double s;       /* arc length along the sheet's curve (lamella_curve.h), from 0 at its start */
+  double heading; /* direction of travel in the plane when the strip is developed, with m upwards
+                     and 0 along +x */
+  bool between;   /* it stands between nodes, only to follow the curve; no node, and not an end */
+  int vertex;     /* of the net that it belongs to; -1: none */
+  int partner;    /* sheet index that crosses here; -1: no crossing */
+  int crossing;   /* index of the net crossing in the grid; -1 */
+  double angle;   /* crossing angle, in (0, pi); 0 when no crossing */
   double slot_low, slot_high; /* see above; 0 when no crossing */
   double slot_angle;          /* a, see above */
 } lam_station;

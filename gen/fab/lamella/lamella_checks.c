@@ -4,6 +4,8 @@
 #include "core/numbers.h"
 #include "core/solid/solid.h"
 #include "fab/flat/unroll.h"
+#include "fab/lamella/lamella_flat.h"
+#include "mesh/line_curve.h"
 
 #include <stdlib.h>
 
@@ -25,6 +27,11 @@ static middle_line middle_line_of(lam_arena *arena, const lam_sheet_strip *strip
                    LAM_NEW(arena, lam_vec2, n)};
 
   for (int i = 0; i < n;) {
+    if (strip->stations[i].between) {
+      i++;
+      continue;
+    }
+
     int j = i, crossing = strip->stations[i].crossing;
     lam_vec3 x = {0, 0, 0}, m = {0, 0, 0};
     do {
@@ -74,20 +81,22 @@ static double edge_length(const lam_vec3 *x, const lam_vec3 *m, int n, double h)
   return sum;
 }
 
-/* Straightness and lengths are those of all stations; curvature and twist those of the middle
- * line, without its first and its last edge, which are straight extensions. */
+/* Straightness and lengths are those of the stations at nodes and ends; curvature and twist those
+ * of the middle line, without its first and its last edge, which are straight extensions. Those in
+ * between are drawn, and prove nothing. */
 lam_strip_measures lam_strip_measure(lam_arena *arena, const lam_lamella_grid *grid,
                                      const lam_sheet_strip *strip) {
   lam_strip_measures r = {0};
-  int n = strip->station_count;
+  int all = strip->station_count, n = 0;
   double half = grid->height / 2;
   lam_arena_mark mark = lam_arena_mark_get(arena);
 
-  lam_vec3 *x = LAM_NEW(arena, lam_vec3, n), *m = LAM_NEW(arena, lam_vec3, n);
-  lam_vec2 *flat = LAM_NEW(arena, lam_vec2, n);
-  for (int i = 0; i < n; i++) {
-    x[i] = strip->stations[i].x;
-    m[i] = strip->stations[i].m;
+  lam_vec3 *x = LAM_NEW(arena, lam_vec3, all), *m = LAM_NEW(arena, lam_vec3, all);
+  lam_vec2 *flat = LAM_NEW(arena, lam_vec2, all);
+  for (int i = 0; i < all; i++) {
+    if (strip->stations[i].between) continue;
+    x[n] = strip->stations[i].x;
+    m[n++] = strip->stations[i].m;
     r.slots += strip->stations[i].partner >= 0;
   }
 
@@ -110,7 +119,7 @@ lam_strip_measures lam_strip_measure(lam_arena *arena, const lam_lamella_grid *g
   }
 
   r.bending_strain = grid->thickness / 2 * bend;
-  r.straightening = half * bow;
+  r.straightening = lam_lamella_is_straight(arena, strip) ? half * bow : 0;
   r.twist_strain = grid->thickness * r.twist;
   r.edge_strain = half * half * r.twist * r.twist / 2;
 
@@ -212,6 +221,47 @@ static void measure_lamellas(lam_workshop *shop, lam_stage *stage, const lam_lam
   measure_spread(shop, stage, "unrolled_straightness", "of length", &s);
 }
 
+/* Where the vertex number `index` of a lamella's axis lies along its sheets: the mean arc length
+ * over all stations at that vertex, of both sheets of a pair. NaN when there is none. */
+static double place_along(const lam_lamella_grid *grid, const lam_sheet_strip *first, int vertex) {
+  double sum = 0;
+  int count = 0, sheets = grid->pair > 0 ? 2 : 1;
+  for (int k = 0; k < sheets; k++)
+    for (int i = 0; i < first[k].station_count; i++) {
+      const lam_station *q = &first[k].stations[i];
+      if (q->between || q->vertex != vertex) continue;
+      sum += q->s;
+      count++;
+    }
+  return count ? sum / count : NAN;
+}
+
+/* How much the lengths of lamellas are off those of smooth axes: from the first vertex with a
+ * station to the last, against the cubic spline through the vertices of the net (which CAD programs
+ * get), as a share of its length. The sheets of a pair are longer and shorter than the axis between
+ * them: their mean counts, which twist makes longer by (pair twist)^2 / 8. */
+static void measure_lengths(lam_workshop *shop, lam_stage *stage, const lam_lamella_grid *grid) {
+  spread s = {0};
+  lam_arena_mark mark = lam_arena_mark_get(shop->arena);
+
+  for (int i = 0; grid->axes && i<grid->strip_count; i += grid->pair> 0 ? 2 : 1) {
+    const lam_sheet_strip *strip = &grid->strips[i];
+    const lam_polyline *axis = &grid->axes[strip->group];
+    int first = 0, last = axis->count - 1;
+    while (first < last && isnan(place_along(grid, strip, axis->vertices[first]))) first++;
+    while (first < last && isnan(place_along(grid, strip, axis->vertices[last]))) last--;
+    if (first == last) continue;
+
+    const double *smooth = lam_polyline_lengths(shop->arena, shop->net->mesh.vertices, axis);
+    double made = place_along(grid, strip, axis->vertices[last]) -
+                  place_along(grid, strip, axis->vertices[first]);
+    spread_add(&s, fabs(made / (smooth[last] - smooth[first]) - 1));
+  }
+
+  lam_arena_release(shop->arena, mark);
+  measure_spread(shop, stage, "length_error", "of length", &s);
+}
+
 /* Angles of nodes around regular vertices, and of all others, against the mean of the former (of
  * all when there is none). off[0]: deviations at regular vertices, off[1]: at the others, in
  * degrees. */
@@ -269,6 +319,7 @@ void lam_lamella_stage(lam_workshop *shop, const lam_lamella_grid *grid,
                        const lam_strip_measures *strips) {
   lam_stage *stage = lam_workshop_stage(shop, "lamellas");
   measure_lamellas(shop, stage, grid);
+  measure_lengths(shop, stage, grid);
   measure_strips(shop, stage, grid, strips);
   measure_angles(shop, stage, grid);
   measure_solids(shop, stage, grid);

@@ -10,8 +10,9 @@ typedef struct lam_strip_measures {
   /* Of the strip of edge planes, unrolled (fab/flat/unroll.h): the share of its length by which it
    * leaves its chord. */
   double straightness;
-  /* height/2 times the largest curvature of that flat line: the strain at the edges when a strip
-   * that was cut straight is forced into place. */
+  /* The strain at the edges that the shape it is cut to leaves to be forced: height/2 times the
+   * largest curvature of that flat line when the strip is cut straight, 0 when it is cut as it
+   * develops. */
   double straightening;
   double normal_straightness; /* of the triangulated strip between the edges x -+ height/2 m */
   double bending_strain;      /* thickness/2 times the largest curvature about m */

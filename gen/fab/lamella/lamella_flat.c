@@ -13,37 +13,66 @@
  * them; 5e-4 is where a workshop would begin to see the curve. */
 static const double straight_enough = 5e-4;
 
-/* The axis of the pattern, from the developed middle line of the stations (lam_unroll). A
- * straight one becomes its two ends, any other line is turned so that its ends lie on the x axis,
- * the first at the origin. The line of a reversed strip is mirrored end for end; across, up stays
- * up. */
+/* The developed middle line: steps as long as the curve is between stations, in the mean of the
+ * headings at their ends. Positions along it are arc lengths therefore, and on an arc the points
+ * lie outside of it by a third of the sag. Where the line bends up to an end, a short first step
+ * keeps the direction there, for the cut across the strip is square to it. points: room for
+ * station_count + 2; returns how many there are. */
+static int middle_line(const lam_sheet_strip *strip, lam_vec2 *points) {
+  static const double share = 1. / 64; /* of a step, next to an end */
+  int n = strip->station_count, count = 1;
+  points[0] = lam_v2(0, 0);
+
+  for (int i = 1; i < n; i++) {
+    const lam_station *a = &strip->stations[i - 1], *b = &strip->stations[i];
+    double length = b->s - a->s, turn = b->heading - a->heading, part[3] = {0, 1, 1};
+    if (turn != 0 && i == 1) part[0] = share;
+    if (turn != 0 && i == n - 1) part[1] = 1 - share;
+
+    for (int k = 0; k < 3; k++) {
+      double from = k ? part[k - 1] : 0, step = (part[k] - from) * length;
+      double heading = a->heading + (from + part[k]) / 2 * turn;
+      if (step <= 0) continue;
+      points[count] = lam_v2(points[count - 1].x + step * cos(heading),
+                             points[count - 1].y + step * sin(heading));
+      count++;
+    }
+  }
+  return count;
+}
+
+bool lam_lamella_is_straight(lam_arena *arena, const lam_sheet_strip *strip) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  lam_vec2 *line = LAM_NEW(arena, lam_vec2, strip->station_count + 2);
+  double straightness = lam_straightness(line, middle_line(strip, line));
+  lam_arena_release(arena, mark);
+  return straightness < straight_enough;
+}
+
+/* The axis of the pattern. A straight one becomes its two ends, any other line is turned so that
+ * its ends lie on the x axis, the first at the origin. The line of a reversed strip is mirrored end
+ * for end; across, up stays up. */
 static void develop(lam_arena *arena, const lam_sheet_strip *strip, lam_flat *flat) {
   int n = strip->station_count;
-  lam_vec3 *x = LAM_NEW(arena, lam_vec3, n), *m = LAM_NEW(arena, lam_vec3, n);
-  lam_vec2 *line = LAM_NEW(arena, lam_vec2, n), *axis = LAM_NEW(arena, lam_vec2, n);
-  for (int i = 0; i < n; i++) {
-    x[i] = strip->stations[i].x;
-    m[i] = strip->stations[i].m;
-  }
-
-  lam_unroll(x, m, n, line);
-  if (lam_straightness(line, n) < straight_enough) {
-    axis[1] = lam_v2(strip->stations[n - 1].s - strip->stations[0].s, 0);
+  lam_vec2 *line = LAM_NEW(arena, lam_vec2, n + 2);
+  flat->axis = LAM_NEW(arena, lam_vec2, n + 2);
+  if (lam_lamella_is_straight(arena, strip)) {
+    flat->axis[1] = lam_v2(strip->stations[n - 1].s - strip->stations[0].s, 0);
     flat->axis_count = 2;
-  } else {
-    lam_vec2 first = line[flat->reversed ? n - 1 : 0], last = line[flat->reversed ? 0 : n - 1];
-    double mirror = flat->reversed ? -1 : 1, dx = mirror * (last.x - first.x),
-           dy = last.y - first.y;
-    double chord = hypot(dx, dy), c = chord > 0 ? dx / chord : 1, s = chord > 0 ? -dy / chord : 0;
-
-    for (int i = 0; i < n; i++) {
-      lam_vec2 p = line[flat->reversed ? n - 1 - i : i];
-      double px = mirror * (p.x - first.x), py = p.y - first.y;
-      axis[i] = lam_v2(c * px - s * py, s * px + c * py);
-    }
-    flat->axis_count = n;
+    return;
   }
-  flat->axis = axis;
+
+  n = middle_line(strip, line);
+  lam_vec2 first = line[flat->reversed ? n - 1 : 0], last = line[flat->reversed ? 0 : n - 1];
+  double mirror = flat->reversed ? -1 : 1, dx = mirror * (last.x - first.x), dy = last.y - first.y;
+  double chord = hypot(dx, dy), c = chord > 0 ? dx / chord : 1, s = chord > 0 ? -dy / chord : 0;
+
+  for (int i = 0; i < n; i++) {
+    lam_vec2 p = line[flat->reversed ? n - 1 - i : i];
+    double px = mirror * (p.x - first.x), py = p.y - first.y;
+    flat->axis[i] = lam_v2(c * px - s * py, s * px + c * py);
+  }
+  flat->axis_count = n;
 }
 
 /* The slot of a station in the flat pattern (see fab/lamella/lamella.h for the sizes): above the

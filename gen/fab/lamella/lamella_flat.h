@@ -19,6 +19,10 @@ void lam_lamella_flats(lam_workshop *workshop);
 lam_flat *lam_lamella_flat(lam_arena *arena, const lam_lamella_grid *grid,
                            const lam_sheet_strip *strip);
 
+/* Whether the pattern of a strip is cut straight. Otherwise it is cut as it develops. arena is only
+ * used for scratch. */
+bool lam_lamella_is_straight(lam_arena *arena, const lam_sheet_strip *strip);
+
 /* Draws the marks of a strip with the outline flat and adds them to paths:
  *
  *   - at every crossing a tick on ENGRAVE, between the slot and the opposite edge, and the

@@ -3,6 +3,7 @@
 #include "core/numbers.h"
 #include "fab/lamella/lamella_make.h"
 #include "fab/lamella/lamella_patch.h"
+#include "fab/lamella/lamella_stations.h"
 
 #include <string.h>
 
@@ -118,19 +119,18 @@ static double offset_of(const layout *l, int sheet) {
   return l->sheets == 1 ? 0 : sheet == 0 ? l->keys->pair / 2 : -l->keys->pair / 2;
 }
 
-static void push(lam_sheet_strip *strip, lam_station q) {
-  strip->stations[strip->station_count++] = q;
-}
+static void push(lam_places *p, lam_station q) { p->stations[p->count++] = q; }
 
 /* Appends the stations of a strip at vertex v: one where nothing crosses, otherwise one per sheet
  * of the partner, in the order in which the strip meets them. */
-static void push_vertex(layout *l, lam_sheet_strip *strip, int v) {
+static void push_vertex(const layout *l, const lam_sheet_strip *strip, int v, lam_places *all) {
   const site *s = &l->sites[v];
   lam_patch p = site_patch(l, v, strip->family);
   int family = strip->family;
 
   if (s->node < 0) {
-    push(strip, lam_patch_station(&p, family, strip->offset));
+    push(all, lam_patch_station(&p, family, strip->offset));
+    all->stations[all->count - 1].vertex = v;
     return;
   }
 
@@ -141,6 +141,7 @@ static void push_vertex(layout *l, lam_sheet_strip *strip, int v) {
     found[k] =
         lam_patch_crossing(&p, family, strip->offset, offset_of(l, k), l->keys->joint.scissor);
     found[k].crossing = s->node;
+    found[k].vertex = v;
     if (l->keys->joint.kind == LAM_JOINT_HALF_LAP)
       found[k].partner = partner->strip + k;
     else
@@ -149,19 +150,19 @@ static void push_vertex(layout *l, lam_sheet_strip *strip, int v) {
   }
 
   bool swap = l->sheets == 2 && along[0] > along[1];
-  for (int k = 0; k < l->sheets; k++) push(strip, found[swap ? 1 - k : k]);
+  for (int k = 0; k < l->sheets; k++) push(all, found[swap ? 1 - k : k]);
 }
 
-/* A station without a crossing on the edge from -> to at the given distance from its start, moved
- * by own along b. */
-static lam_station edge_station(const layout *l, int from, int to, double distance, double own) {
-  double length = lam_distance(at(l, from), at(l, to));
-  lam_station q = {.partner = -1, .crossing = -1};
-  q.m = lam_unit(lam_mix(l->shop->normals[from], l->shop->normals[to], distance / length));
-  lam_vec3 edge = lam_scale(lam_sub(at(l, to), at(l, from)), 1 / length);
+/* Appends the place beside a hub at which the curve of a strip begins or ends: own off the line
+ * from the hub (from) to the next vertex, or the other way round when the strip comes to the
+ * hub. */
+static void push_hub(const layout *l, const lam_sheet_strip *strip, int hub, int next, bool end,
+                     lam_places *all) {
+  lam_station q = {.partner = -1, .crossing = -1, .vertex = hub, .m = l->shop->normals[hub]};
+  lam_vec3 edge = lam_scale(lam_sub(at(l, next), at(l, hub)), end ? -1 : 1);
   q.t = lam_unit(lam_along(edge, -lam_dot(edge, q.m), q.m));
-  q.x = lam_along(lam_along(at(l, from), distance, edge), own, lam_cross(q.m, q.t));
-  return q;
+  q.x = lam_along(at(l, hub), strip->offset, lam_cross(q.m, q.t));
+  push(all, q);
 }
 
 /* How far from a hub the lamella towards the vertex `toward` must end, in meters: strips of half
@@ -185,62 +186,91 @@ static double setback(const layout *l, int hub, int toward) {
   return w / tan(least / 2) + l->keys->joint.clearance;
 }
 
-/* Appends the station at which a lamella ends short of its hub. False, with a message, when the
- * edge is too short for that. */
-static bool push_hub(layout *l, lam_sheet_strip *strip, const lamella *a, int end) {
+/* How far from its hub a lamella ends, in meters. Adds a message when the edge is too short for
+ * that. */
+static double setback_at(const layout *l, const lamella *a, int end) {
   const lam_polyline *line = a->line;
   int hub = line->vertices[end ? line->count - 1 : 0],
       next = line->vertices[end ? line->count - 2 : 1];
   double distance = setback(l, hub, next), length = lam_distance(at(l, hub), at(l, next));
 
-  if (distance > 0.4 * length) {
+  if (distance > 0.4 * length)
     lam_error_add(l->shop->errors, l->location, "pair",
                   "at net vertex %d lamellas have to end %.1f mm short to clear each other, and "
                   "the edge there is %.1f mm long: take a coarser net or thinner lamellas",
                   hub + 1, distance * 1e3, length * 1e3);
+  return distance;
+}
+
+/* Vertices beyond the cut of a closed line that its curve goes on through at both ends: enough for
+ * the ends of the curve to make no difference at the cut. */
+enum { around = 6 };
+
+/* The places that the curve of a strip goes through: those of its vertices, with a hub at an end
+ * that stops short of it; of a closed line, whose vertices are all used, `around` more at both
+ * ends. */
+static lam_places places_of(const layout *l, const lamella *a, const lam_sheet_strip *strip) {
+  const lam_polyline *line = a->line;
+  int n = line->count, *v = line->vertices, more = line->closed ? around : 0;
+  lam_places all = {.stations = LAM_NEW(l->shop->arena, lam_station, 2 * (n + 2 * around) + 2)};
+
+  if (a->hub[0]) push_hub(l, strip, v[0], v[1], false, &all);
+  for (int i = a->first - more; i <= a->last + more; i++) {
+    int w = v[(i + around * n) % n];
+    if (i == a->first) all.first = all.count;
+    if (!is_hub(&l->sites[w])) push_vertex(l, strip, w, &all);
+    if (i == a->last) all.last = all.count - 1;
+  }
+  if (a->hub[1]) push_hub(l, strip, v[n - 1], v[n - 2], true, &all);
+  return all;
+}
+
+/* Whether every place lies apart from the next, as a curve needs it. Adds a message when not. */
+static bool are_apart(const layout *l, const lam_sheet_strip *strip, const lam_places *all) {
+  for (int i = 1; i < all->count; i++) {
+    const lam_station *a = &all->stations[i - 1], *b = &all->stations[i];
+    if (lam_distance(a->x, b->x) > 0) continue;
+    lam_error_add(l->shop->errors, l->location, NULL,
+                  "%s cannot be made: at net vertices %d and %d it stands in one place",
+                  strip->name, a->vertex + 1, b->vertex + 1);
     return false;
   }
-
-  if (end)
-    push(strip, edge_station(l, next, hub, length - distance, strip->offset));
-  else
-    push(strip, edge_station(l, hub, next, distance, strip->offset));
   return true;
 }
 
-/* The station that runs on straight from q by step (negative: backwards). */
-static lam_station extension(lam_station q, double step) {
-  return (lam_station){
-      .x = lam_along(q.x, step, q.t), .t = q.t, .m = q.m, .partner = -1, .crossing = -1};
+/* A strip ends short of hubs, and runs on past its last crossings. A closed one is cut midway
+ * between the last vertex and the first; the ends leave the clearance between them. */
+static lam_span span_of(const layout *l, const lamella *a, const lam_places *all,
+                        const lam_strip_curve *curve) {
+  const double *s = curve->s, gap = l->keys->joint.clearance;
+  if (a->line->closed)
+    return (lam_span){.from = (s[all->first - 1] + s[all->first]) / 2 + gap / 2,
+                      .to = (s[all->last] + s[all->last + 1]) / 2 - gap / 2};
+
+  lam_span used = {0, s[all->count - 1], l->keys->extend, {!a->hub[0], !a->hub[1]}};
+  if (a->hub[0]) used.from += setback_at(l, a, 0);
+  if (a->hub[1]) used.to -= setback_at(l, a, 1);
+  return used;
 }
 
-/* Fills the stations of one sheet and their arc lengths. False when a hub is too near. */
+/* Fills the stations of one sheet along its curve. False, with a message, when it has no curve, or
+ * a hub is too near. */
 static bool fill_strip(layout *l, const lamella *a, lam_sheet_strip *strip) {
-  const lam_polyline *line = a->line;
-  int n = line->count, *v = line->vertices;
-  double extend = l->keys->extend, gap = l->keys->joint.clearance;
-  strip->stations = LAM_NEW(l->shop->arena, lam_station, 2 * n + 2);
+  lam_arena *arena = l->shop->arena;
+  int before = l->shop->errors->count;
+  lam_places all = places_of(l, a, strip);
+  if (!are_apart(l, strip, &all)) return false;
 
-  if (line->closed) { /* cut midway between the last vertex and the first; the ends leave the
-                         clearance between them */
-    double half = lam_distance(at(l, v[n - 1]), at(l, v[0])) / 2;
-    push(strip, edge_station(l, v[n - 1], v[0], half + gap / 2, strip->offset));
-    for (int i = 0; i < n; i++) push_vertex(l, strip, v[i]);
-    push(strip, edge_station(l, v[n - 1], v[0], half - gap / 2, strip->offset));
-  } else {
-    if (a->hub[0] && !push_hub(l, strip, a, 0)) return false;
-    if (!a->hub[0]) strip->station_count = 1; /* the extension comes when its neighbor is known */
-    for (int i = a->first; i <= a->last; i++)
-      if (!is_hub(&l->sites[v[i]])) push_vertex(l, strip, v[i]);
-    if (!a->hub[0]) strip->stations[0] = extension(strip->stations[1], -extend);
-    if (a->hub[1] && !push_hub(l, strip, a, 1)) return false;
-    if (!a->hub[1]) push(strip, extension(strip->stations[strip->station_count - 1], extend));
+  lam_vec3 *x = LAM_NEW(arena, lam_vec3, all.count), *m = LAM_NEW(arena, lam_vec3, all.count);
+  for (int i = 0; i < all.count; i++) {
+    x[i] = all.stations[i].x;
+    m[i] = all.stations[i].m;
   }
-  /* Arc length of the polyline of stations: the developed middle line has the same edges. */
-  for (int i = 1; i < strip->station_count; i++)
-    strip->stations[i].s =
-        strip->stations[i - 1].s + lam_distance(strip->stations[i - 1].x, strip->stations[i].x);
-  strip->length = strip->stations[strip->station_count - 1].s;
+  lam_strip_curve curve = lam_strip_curve_make(arena, all.count, x, m);
+
+  lam_span used = span_of(l, a, &all, &curve);
+  if (l->shop->errors->count > before) return false;
+  lam_strip_lay(arena, l->grid, strip, &curve, &all, &used);
   return true;
 }
 

@@ -123,7 +123,8 @@ typedef struct lam_crossing {
   double angle;              /* between the families, as built */
   double flat_angle;         /* in the flat grid of developed lamellas; NaN: not computed */
   int parts[2];              /* index of one part per family */
-  double along[2];           /* arc length on that part */
+  double along[2];           /* arc length on that part, from its start */
+  double second[2];          /* that on the second sheet of a pair; single sheets have none */
 } lam_crossing;
 
 /* ---- sheets ---- */

@@ -10,6 +10,7 @@ typedef struct params {
   bool isogonal;
   double angle;
   bool angle_given;
+  bool border;
 } params;
 
 /* An angle says nothing where `isogonal: no` lets the angles free. */
@@ -23,15 +24,15 @@ static void check(lam_scope *scope, const params *p, lam_location location) {
  * through three vertices of either polyline. */
 static void constrain(lam_scope *scope, const void *given, lam_location location) {
   const params *p = given;
-  lam_spherical_star_params spheres = {p->radius, LAM_SPHERES_COMMON};
+  lam_spherical_star_params spheres = {p->radius, LAM_SPHERES_COMMON, p->border};
   lam_con_spherical_star.add(scope, &spheres, 1, location);
   check(scope, p, location);
   if (!p->isogonal) return;
 
   /* Both constraints leave out the same irregular vertices: they count once. */
   long skipped = scope->skipped;
-  lam_con_angle.add(scope, &(lam_angle_params){.angle = p->angle, .tangents = LAM_TANGENTS_CIRCLE},
-                    1, location);
+  lam_angle_params angle = {p->angle, p->border, LAM_TANGENTS_CIRCLE};
+  lam_con_angle.add(scope, &angle, 1, location);
   scope->skipped = skipped;
 }
 
@@ -68,6 +69,11 @@ static const lam_key keys[] = {
     LAM_ANGLE_KEY(params, "angle", angle, "90 deg", 5 * LAM_PI / 180, 175 * LAM_PI / 180,
                   "That crossing angle. Only 90 deg makes the mean curvature constant.",
                   LAM_GIVEN(params, angle_given)),
+    LAM_FLAG_KEY(params, "border", border, "no",
+                 "Vertices of the border take part: they lie on a sphere of that radius with their "
+                 "three neighbors, so that strips keep it to their ends, and reentrant corners, "
+                 "which have four edges, keep the angle. Not for tubes, or starts with much noise: "
+                 "solve these without it first. With solver: thesis the border is free."),
     {0}};
 
 static const char *const measures[] = {"star_curvature",

@@ -168,6 +168,8 @@ static void jacobians_with_other_parameters(void **state) {
   check_kind(f, &lam_con_spherical_star, "{radius: 3 m}");
   check_kind(f, &lam_con_spherical_star, "{radius: -20 m}");
   check_kind(f, &lam_con_spherical_star, "{spheres: common}");
+  check_kind(f, &lam_con_spherical_star, "{radius: -20 m, border: yes}");
+  check_kind(f, &lam_con_spherical_star, "{spheres: common, border: yes}");
   check_kind(f, &lam_con_edge_length, "{length: 700 mm}");
   check_kind(f, &lam_con_edge_length, "{boundary: yes}");
   check_kind(f, &lam_con_fairness, "{of: displacements}");
@@ -228,6 +230,9 @@ static void elements_are_complete(void **state) {
       {&lam_con_spherical_star, "{}", 0, 12, 15},
       {&lam_con_spherical_star, "{radius: 9 m}", 3, 18, 15},
       {&lam_con_spherical_star, "{spheres: common}", 0, 12, 16},
+      {&lam_con_spherical_star, "{border: yes}", 0, 12, 15},
+      {&lam_con_spherical_star, "{radius: 9 m, border: yes}", 0, 12 + 14, 15},
+      {&lam_con_spherical_star, "{spheres: common, border: yes}", 0, 12 + 14, 16},
       {&lam_con_planar_star, "{}", 3, 26, 15},
       {&lam_con_orthogonal, "{}", 3, 18, 15},
       {&lam_con_planar_face, "{}", 4, 54, 12},

@@ -141,6 +141,7 @@ static lam_flat *ring_flat(lam_arena *arena, double radius, double arc, int n, d
     *station = (lam_station){.x = {radius * sin(a), 0, radius * cos(a)},
                              .t = {cos(a), 0, -sin(a)},
                              .m = {side * sin(a), 0, side * cos(a)},
+                             .heading = -side * a,
                              .partner = -1,
                              .crossing = -1};
     station->s = 2 * radius * sin(arc / (n - 1) / 2) * i;
@@ -161,8 +162,8 @@ static void bent_strips_keep_their_shape(void **state) {
   for (int k = 0; k < 2; k++) {
     lam_arena *arena = lam_arena_new();
     lam_flat *flat = ring_flat(arena, radius, arc, 81, offsets[k], 1);
-    assert_int_equal(flat->axis_count, 81);
-    lam_vec2 first = flat->axis[0], last = flat->axis[80], middle = flat->axis[40];
+    assert_int_equal(flat->axis_count, 83); /* one more at both ends */
+    lam_vec2 first = flat->axis[0], last = flat->axis[82], middle = flat->axis[41];
     assert_near(first.x, 0, 1e-9);
     assert_near(first.y, 0, 1e-9);
     assert_near(last.x, 2 * radius * sin(arc / 2), 1e-6);

@@ -108,9 +108,9 @@ static void stations_and_records(void **state) {
   const lam_record *record = shop.parts[1].record;
   assert_int_equal(record->columns, shop.record_kinds[0].column_count);
   assert_int_equal(record->rows, 6);
-  assert_near(record->values[2 * 14 + 9], 1.1, 1e-14);
-  assert_near(record->values[2 * 14 + 10], 6, 0);
-  assert_near(record->values[2 * 14 + 11], 90, 1e-12);
+  assert_near(record->values[2 * 15 + 9], 1.1, 1e-14);
+  assert_near(record->values[2 * 15 + 10], 6, 0);
+  assert_near(record->values[2 * 15 + 11], 90, 1e-12);
   assert_int_equal(shop.crossing_count, 20);
   for (int i = 0; i < 20; i++) {
     assert_near(shop.crossings[i].angle, LAM_PI / 2, 1e-14);

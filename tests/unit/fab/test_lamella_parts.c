@@ -67,13 +67,13 @@ static void records_have_a_row_per_station(void **state) {
   const lam_record *record = shop.parts[3].record;
   assert_string_equal(record->name, "A02b");
   assert_int_equal(record->family, 0);
-  assert_int_equal(record->columns, 14);
+  assert_int_equal(record->columns, 15);
   assert_int_equal(record->rows, 8);
   double here[2] = {-.015 / sin(LAM_PI / 3), .005 / sin(LAM_PI / 3)}, root = sqrt(.5);
   for (int k = 0; k < 2; k++) {
     double e = k ? -.01 : .01, sharp = (-.01 * root - e) / root, blunt = (.01 * root - e) / root;
     double s = 1.1 - here[0] + here[k]; /* from 0.1 m before B01a */
-    const double expected[14] = {here[k],
+    const double expected[15] = {here[k],
                                  -.01,
                                  0,
                                  1,
@@ -86,9 +86,10 @@ static void records_have_a_row_per_station(void **state) {
                                  8 + k,
                                  45,
                                  fmin(sharp, blunt) - here[k],
-                                 fmax(sharp, blunt) - here[k]};
-    for (int c = 0; c < 14; c++)
-      assert_near_named(record->values[(3 + k) * 14 + c], expected[c], 1e-12,
+                                 fmax(sharp, blunt) - here[k],
+                                 0};
+    for (int c = 0; c < 15; c++)
+      assert_near_named(record->values[(3 + k) * 15 + c], expected[c], 1e-12,
                         shop.record_kinds[0].columns[c].name);
   }
   const double *first = record->values; /* 0.1 m before its first crossing; no partner */
@@ -98,8 +99,8 @@ static void records_have_a_row_per_station(void **state) {
   assert_near(first[11], 0, 0);
   /* B01a meets A01a and A01b, the parts with the numbers 0 and 1, in either order */
   const double *other = shop.parts[6].record->values;
-  assert_near(other[14 + 10] + other[2 * 14 + 10], 1, 0);
-  assert_near(other[14 + 10] * other[2 * 14 + 10], 0, 0);
+  assert_near(other[15 + 10] + other[2 * 15 + 10], 1, 0);
+  assert_near(other[15 + 10] * other[2 * 15 + 10], 0, 0);
 }
 
 /* Names, kinds and decimals of the columns, and the settings: what lamella.scad reads. */
@@ -108,11 +109,11 @@ static void records_are_described(void **state) {
     const char *name;
     bool length;
     int decimals;
-  } columns[] = {{"x", true, 4},        {"y", true, 4},        {"z", true, 4},
-                 {"tx", false, 7},      {"ty", false, 7},      {"tz", false, 7},
-                 {"mx", false, 7},      {"my", false, 7},      {"mz", false, 7},
-                 {"s", true, 4},        {"partner", false, 0}, {"slot_angle", false, 6},
-                 {"slot_low", true, 4}, {"slot_high", true, 4}};
+  } columns[] = {{"x", true, 4},        {"y", true, 4},         {"z", true, 4},
+                 {"tx", false, 7},      {"ty", false, 7},       {"tz", false, 7},
+                 {"mx", false, 7},      {"my", false, 7},       {"mz", false, 7},
+                 {"s", true, 4},        {"partner", false, 0},  {"slot_angle", false, 6},
+                 {"slot_low", true, 4}, {"slot_high", true, 4}, {"heading", false, 7}};
   static const char *const names[] = {"height", "thickness", "clearance", "slots"};
   for (int joint = 0; joint < 2; joint++) {
     lam_workshop shop = shop_of(state, square);
@@ -123,9 +124,9 @@ static void records_are_described(void **state) {
     const double values[] = {.1, .002, .00025, !joint};
     assert_string_equal(kind->kind, "lamella");
     assert_string_equal(kind->scad, "lamella.scad");
-    assert_int_equal(kind->column_count, 14);
+    assert_int_equal(kind->column_count, 15);
     assert_int_equal(kind->setting_count, 4);
-    for (int c = 0; c < 14; c++) {
+    for (int c = 0; c < 15; c++) {
       assert_string_equal(kind->columns[c].name, columns[c].name);
       assert_int_equal(kind->columns[c].is_length, columns[c].length);
       assert_int_equal(kind->columns[c].decimals, columns[c].decimals);

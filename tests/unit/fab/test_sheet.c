@@ -263,6 +263,7 @@ static void check_bent_strip(double width, double height, int expected) {
                                       .t = {cos(a), 0, -sin(a)},
                                       .m = {sin(a), 0, cos(a)},
                                       .s = 8 * sin(1.5 / (N - 1) / 2) * i,
+                                      .heading = -a,
                                       .partner = -1,
                                       .crossing = -1};
   }

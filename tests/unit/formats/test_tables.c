@@ -90,13 +90,15 @@ static const lam_crossing crossings[] = {
      .angle = LAM_PI / 2,
      .flat_angle = NAN,
      .parts = {4, 0},
-     .along = {1.5, .25}},
+     .along = {1.5, .25},
+     .second = {1.4775, 0}},
     {.position = {.5, 0, 3},
      .normal = {.12345678, 0, -1},
      .angle = 1.1,
      .flat_angle = 1.2,
      .parts = {2, 3},
-     .along = {.50012345, .3}},
+     .along = {.50012345, .3},
+     .second = {.4776, NAN}},
     {.normal = {0, 0, 1}, .angle = 1, .flat_angle = 1, .parts = {5, 0}, .along = {.4, 1.25}},
     {.normal = {0, 0, 1}, .angle = 1, .flat_angle = 1, .parts = {5, 3}, .along = {1.4, 1.2}},
     {.parts = {5, 0}, .along = {1, 1}},
@@ -175,15 +177,15 @@ static void bill_of_materials(void **state) {
 /* ---- nodes ---- */
 
 /* 1.1 rad = 63.0253574644 and 1.2 rad = 68.7549354157 degrees; normals have 7 decimals. A first,
- * then B, each with the sheet that the node names in front. */
+ * then B, each with the sheet that the node names in front; places on second sheets stand last. */
 static void nodes(void **state) {
   const char *expected =
       "node,x_mm,y_mm,z_mm,normal_x,normal_y,normal_z,angle_deg,flat_angle_deg,a_parts,a_along_mm,"
-      "b_parts,b_along_mm\r\n"
-      "1,1000,-2000,123.457,0.6,-0.48,0.64,90,,A01b A01a,1500,B01,250\r\n"
-      "2,500,0,3000,0.1234568,0,-1,63.025357,68.754935,A01a A01b,500.123,B02,300\r\n"
-      "3,0,0,0,0,0,1,57.29578,57.29578,A02,400,B01,1250\r\n"
-      "4,0,0,0,0,0,1,57.29578,57.29578,A02,1400,B02,1200\r\n";
+      "b_parts,b_along_mm,a_second_along_mm,b_second_along_mm\r\n"
+      "1,1000,-2000,123.457,0.6,-0.48,0.64,90,,A01b A01a,1500,B01,250,1477.5,\r\n"
+      "2,500,0,3000,0.1234568,0,-1,63.025357,68.754935,A01a A01b,500.123,B02,300,477.6,\r\n"
+      "3,0,0,0,0,0,1,57.29578,57.29578,A02,400,B01,1250,,\r\n"
+      "4,0,0,0,0,0,1,57.29578,57.29578,A02,1400,B02,1200,,\r\n";
   assert_lines("nodes.csv", text_of(*state, &lam_format_nodes, &workshop, 0), expected);
 }
 

@@ -101,6 +101,26 @@ static void repeated_vertices_count_once(void **state) {
   assert_int_equal(lam_polyline_curve(*state, x, &line).count, 0);
 }
 
+/* Around a circle of radius 2 m in 48 steps: 2 pi R in all, to 1e-6 of it (a cubic spline); open
+ * and straight, the lengths of the edges. */
+static void lengths_are_those_of_the_curve(void **state) {
+  enum { around = 48 };
+  lam_vec3 x[most];
+  lam_polyline line = line_of(around, true);
+  for (int i = 0; i < around; i++) {
+    double t = 2 * LAM_PI * i / around;
+    x[order[i]] = lam_v3(2 * cos(t), 2 * sin(t), 1);
+  }
+  const double *length = lam_polyline_lengths(*state, x, &line);
+  for (int i = 0; i <= around; i++)
+    assert_near(length[i], 4 * LAM_PI * i / around, 4 * LAM_PI * 1e-6);
+
+  line = line_of(9, false);
+  for (int i = 0; i < 9; i++) x[order[i]] = lam_v3(i * i, 0, 0);
+  length = lam_polyline_lengths(*state, x, &line);
+  for (int i = 0; i < 9; i++) assert_near(length[i], i * i, 1e-9);
+}
+
 #define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
 
 int main(void) {
@@ -108,6 +128,7 @@ int main(void) {
       TEST(vertices_are_interpolated),
       TEST(closed_lines_close),
       TEST(repeated_vertices_count_once),
+      TEST(lengths_are_those_of_the_curve),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -131,6 +131,50 @@ static void rings_of_radius_two(void **state) {
 }
 
 /* Seen from the other side the same net has the opposite radius, and not the first one. */
+/* ---- the border ---- */
+
+/* The largest share by which the sphere through a border vertex and its three neighbors misses the
+ * radius: its center c is at equal distances, c.E = |E|^2 / 2 for the three edges E (Cramer). */
+static double border_off(const solved *s, double radius) {
+  const lam_net *net = &s->net;
+  double most = 0;
+  for (int v = 0; v < net->mesh.vertex_count; v++) {
+    if (!net->boundary[v] || lam_net_valence(net, v) != 3) continue;
+    lam_vec3 e[3], c = {0, 0, 0};
+    for (int k = 0; k < 3; k++)
+      e[k] = lam_sub(net->mesh.vertices[net->ring[net->ring_start[v] + k]], net->mesh.vertices[v]);
+    double d = lam_dot(e[0], lam_cross(e[1], e[2]));
+    for (int k = 0; k < 3; k++)
+      c = lam_along(c, lam_dot(e[k], e[k]) / 2 / d, lam_cross(e[(k + 1) % 3], e[(k + 2) % 3]));
+    most = fmax(most, fabs(lam_length(c) / radius - 1));
+  }
+  return most;
+}
+
+/* With `border` the stars on the border lie on spheres of the same radius as those inside; without,
+ * they are several per cent off. */
+static void the_border_keeps_the_radius(void **state) {
+  net_fixture *f = *state;
+  static const char *const keys[2] = {"{}", "{border: yes}"};
+  for (int k = 0; k < 2; k++) {
+    lam_mesh mesh = net_sampled(f, "unduloid", "{neck: 0.7}", LAM_CHART_DIAGONAL, 12, 12, 0);
+    solved s = solve(f, &mesh, "cmc", keys[k], "{}");
+    must_converge(&s, keys[k]);
+    double off = border_off(&s, fabs(1 / measured(f, &s, "star_curvature").mean));
+    if (k)
+      assert_below(off, 1e-9);
+    else
+      assert_true(off > .01);
+  }
+  lam_mesh mesh = net_sampled(f, "unduloid", "{neck: 0.7}", LAM_CHART_DIAGONAL, 12, 12, 0);
+  solved s = solve(f, &mesh, "cmc", "{border: yes}", "{}");
+  double radius = 1 / measured(f, &s, "star_curvature").mean;
+  char *given = lam_arena_printf(f->arena, "{border: yes, radius: %.6g m}", radius * 1.01);
+  s = solve(f, &mesh, "cmc", given, "{}");
+  must_converge(&s, given);
+  assert_below(border_off(&s, fabs(radius * 1.01)), 1e-5);
+}
+
 static void the_radius_has_a_sign(void **state) {
   net_fixture *f = *state;
   lam_mesh mesh = case_mesh(f, "05_cmc_unduloid", .1975708073255066),
@@ -411,6 +455,7 @@ int main(void) {
       NET_TEST(mean_curvature_tends_to_the_radius),
       NET_TEST(rings_of_radius_two),
       NET_TEST(the_radius_has_a_sign),
+      NET_TEST(the_border_keeps_the_radius),
       NET_TEST(constant_mean_curvature_without_rotation),
       NET_TEST(principal_directions_halve_the_angles),
       NET_TEST(planar_and_isogonal_fix_the_curvature_ratio),
