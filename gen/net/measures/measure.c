@@ -19,6 +19,7 @@
   row(edge_length) \
   row(shortest_edge) \
   row(foldovers) \
+  row(overlaps) \
   row(flatness) \
   row(edge_variation) \
   row(opposite_edge_difference) \

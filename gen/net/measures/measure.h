@@ -72,9 +72,10 @@ lam_measure lam_net_measure_one(lam_arena *arena, const lam_net *net, const lam_
                                 const char *name);
 
 /* Names the degenerate state of a solved net, or NULL: "not a number: ...", "shrunk: ...", "flown
- * apart: ...", "collapsed: ...", "flattened: ...", "folded: ...". before and after are positions
- * (vertex_count, of any one unit); the states are judged against the start, so that a plane that
- * was a plane is none. */
+ * apart: ...", "collapsed: ...", "flattened: ...", "folded: ...", "lies on itself: ...". before and
+ * after are positions (vertex_count, of any one unit). Collapsed and flattened are judged against
+ * the start, so that a plane that was a plane is none; folds and overlaps are failures whatever the
+ * start had. The text is static or in arena. */
 const char *lam_net_degenerate(lam_arena *arena, const lam_net *net, const lam_vec3 *before,
                                const lam_vec3 *after);
 

@@ -30,6 +30,7 @@ static void a_unit_grid(void **state) {
       {"edge_length", 1, 31},
       {"shortest_edge", 1, 1},
       {"foldovers", 0, 1},
+      {"overlaps", 0, 1},
       {"flatness", 0, 1},
       {"circularity", 0, 12},
       {"conicality", 0, 6},
