@@ -60,6 +60,7 @@
   row(cross_ratio) \
   row(incircle_contact) \
   row(surface_gauss_curvature) \
+  row(coverage) \
   row(flattening_distortion) \
   row(flattening_stretch) \
   row(flattening_compression) \

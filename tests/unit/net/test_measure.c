@@ -71,6 +71,7 @@ static void a_unit_grid(void **state) {
       {"edge_strain", undefined, 0},
       {"shear_strain", undefined, 0},
       {"surface_gauss_curvature", undefined, 0},
+      {"coverage", undefined, 0},
       {"parameter_distortion", 1, 12},
       {"parameter_stretch", 1, 12},
       {"parameter_compression", 1, 12},
