@@ -169,7 +169,7 @@ static void report_coverage(lam_build *build, const int grid[2], lam_stage *stag
     lam_stage_note(build->arena, stage,
                    "the net covers %.0f %% of the surface: its lines end, or come together, where "
                    "those of other parts begin. Another point (net.from.at) or smaller u and v "
-                   "may cover more; net.from: {lines: natural} covers all",
+                   "may cover more; net.from: {lines: natural} starts from all of it",
                    100 * placed->coverage);
 }
 
