@@ -7,6 +7,8 @@
 #include "net/optimize.h"
 #include "net/trace/trace.h"
 
+#include <string.h>
+
 enum { surface_grid = 32 }; /* cells of the mesh that stands for a surface without a net */
 
 /* ---- the initial mesh ---- */
@@ -148,6 +150,34 @@ static bool refine(lam_build *build, lam_mesh *mesh, const lam_net_common *commo
 
 /* ---- the solver ---- */
 
+/* What traced lines have reached, and a word where it is less than was asked for. A design that
+ * asks for the coverage itself has it already. */
+static void report_coverage(lam_build *build, const int grid[2], lam_stage *stage) {
+  const lam_placement *placed = &build->placement;
+  if (!placed->cells[0]) return;
+
+  build->measuring.coverage = placed->coverage;
+  lam_measure measure = lam_measure_summary(&lam_measure_coverage, &placed->coverage, 1);
+  int m = 0;
+  while (m < stage->measure_count && strcmp(stage->measures[m].name, measure.name) != 0) m++;
+  if (m < stage->measure_count)
+    stage->measures[m] = measure;
+  else
+    lam_stage_measure_add(build->arena, stage, measure);
+
+  bool fewer = placed->cells[0] < grid[0] || placed->cells[1] < grid[1];
+  if (fewer)
+    lam_stage_note(build->arena, stage,
+                   "%d x %d cells were traced of the %d x %d asked for: the lines reach no farther",
+                   placed->cells[0], placed->cells[1], grid[0], grid[1]);
+  if (placed->coverage < lam_enough_coverage)
+    lam_stage_note(build->arena, stage,
+                   "the net covers %.0f %% of the surface: its lines end, or come together, where "
+                   "those of other parts begin. Another point (net.from.at) or smaller u and v "
+                   "may cover more; net.from: {lines: natural} starts from all of it",
+                   100 * placed->coverage);
+}
+
 /* The solver's verdict and what was measured, in the report. */
 static void report_net(const lam_build *build, const lam_net_kind *kind,
                        const lam_net_result *result, lam_stage *stage) {
@@ -201,6 +231,7 @@ static bool solve_net(lam_build *build, const lam_net_kind *kind, const lam_net_
 
   report_net(build, kind, &result, stage);
   build->measuring = result.measuring;
+  report_coverage(build, common->grid, stage);
   build->model->frame_count = result.frame_count;
   build->model->frames = result.frames;
   lam_build_stage_end(build, stage);

@@ -31,6 +31,9 @@ typedef struct lam_net_kind {
    * wrong input adds to scope->errors. */
   void (*constrain)(lam_scope *scope, const void *params, lam_location location);
   const char *const *measures; /* NULL-terminated names (net/measures/measure.h) */
+  /* The one of them that shows whether the net is of this kind: where it is undefined everywhere,
+   * nothing was solved. NULL: every net is of this kind. */
+  const char *proof;
   /* The crossing angle that is aimed at, radians; NAN: none with these params. NULL: never one. */
   double (*target_angle)(const void *params);
 

@@ -39,6 +39,7 @@ typedef struct optimization {
   double reference_weight; /* in this step; 0: there is none */
   double share;            /* in this step: part of their way that the handles have gone */
   bool let_go;             /* in this step: handles with release: yes no longer hold */
+  int demanded;            /* in this step: equations of hard constraints */
 
   int levels;            /* coarser nets that were solved before */
   lam_snapshots *frames; /* NULL: none are kept */
@@ -304,17 +305,22 @@ static void add_guide(const optimization *o, lam_scope *scope) {
                         (lam_edge_length_params){0});
 }
 
-/* More equations than unknowns may have no solution: the residual then stays above a floor,
- * whatever the solver does. Adds this to the reason. */
-static void explain(lam_arena *arena, const lam_problem *problem, lam_solution *solution) {
+/* Equations of the hard constraints. */
+static int hard_equations(const lam_problem *problem) {
   int equations = 0;
   for (int b = 0; b < problem->block_count; b++)
     if (problem->blocks[b].role == LAM_HARD)
       equations += problem->blocks[b].count * problem->blocks[b].rows;
+  return equations;
+}
 
-  if (equations > solution->unknowns)
-    solution->reason = lam_arena_printf(arena, "%s (over-determined: %d equations for %d unknowns)",
-                                        solution->reason, equations, solution->unknowns);
+/* More equations than unknowns may have no solution: the residual then stays above a floor,
+ * whatever the solver does. Adds this to the reason. */
+static void explain(const optimization *o, lam_solution *solution) {
+  if (o->demanded > solution->unknowns)
+    solution->reason =
+        lam_arena_printf(o->arena, "%s (over-determined: %d equations for %d unknowns)",
+                         solution->reason, o->demanded, solution->unknowns);
 }
 
 /* Runs the solver of the key `method` and puts its positions into x. Frames per iteration are
@@ -335,7 +341,7 @@ static lam_solution run_solver(optimization *o, lam_problem *problem,
   lam_solution solution = thesis
                               ? lam_gauss_newton_solve(problem, schedule, keys->epsilon, progress)
                               : lam_guided_solve(problem, schedule, progress);
-  if (!solution.converged && !thesis) explain(o->arena, problem, &solution);
+  if (!solution.converged && !thesis) explain(o, &solution);
   lam_problem_positions(problem, o->x);
   return solution;
 }
@@ -353,6 +359,7 @@ static bool solve_step(optimization *o, lam_net_result *result) {
                      .reference_mesh = &o->reference,
                      .errors = o->errors};
   add_constraints(o, &scope);
+  o->demanded = hard_equations(problem);
 
   result->solution = (lam_solution){.reason = "not solved"};
   if (o->errors->count == 0) {
@@ -367,12 +374,29 @@ static bool solve_step(optimization *o, lam_net_result *result) {
 
 /* ---- the end ---- */
 
-/* The solver's word is not enough: positions that meet the constraints may be folded,
- * flat or collapsed. */
+/* Why there was nothing to solve; NULL when there was: the measure that proves the kind has values,
+ * and where the design lists constraints, there are equations. */
+static const char *nothing_solved(const optimization *o, const lam_net_result *result) {
+  const char *proof = o->job->kind->proof;
+  for (int i = 0; proof && i < result->measure_count; i++)
+    if (strcmp(result->measures[i].name, proof) == 0 && result->measures[i].count == 0)
+      return lam_arena_printf(
+          o->arena, "nothing to solve: %s, which proves the net, is undefined everywhere", proof);
+
+  if (o->keys->constraints.count > 0 && o->demanded == 0)
+    return "nothing to solve: the constraints apply nowhere";
+  return NULL;
+}
+
+/* The solver's word is not enough: positions that meet the constraints may be folded, flat or
+ * collapsed, and constraints that apply nowhere are always met. */
 static void judge(const optimization *o, lam_net_result *result) {
   result->degenerate = lam_net_degenerate(o->arena, o->net, o->start, o->x);
-  result->converged = result->solution.converged && !result->degenerate;
-  result->reason = result->degenerate ? result->degenerate : result->solution.reason;
+  result->unproven = nothing_solved(o, result);
+  result->converged = result->solution.converged && !result->degenerate && !result->unproven;
+  result->reason = result->degenerate ? result->degenerate
+                   : result->unproven ? result->unproven
+                                      : result->solution.reason;
   result->reference_weight = o->job->reference ? o->reference_weight : 0;
 
   result->drift = 0;
@@ -479,8 +503,9 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   if (!(chooses_weight ? solve_with_best_weight(&o, result) : solve_steps(&o, result)))
     return false;
 
-  if (!result->converged) result->hint = hint_of(&o, result);
   deliver(&o, result);
   lam_net_measure_result(arena, job, net, o.start_in_meters, result);
+  judge(&o, result);
+  if (!result->converged && !result->unproven) result->hint = hint_of(&o, result);
   return true;
 }

@@ -21,8 +21,10 @@ typedef struct lam_net_result {
   lam_solution solution;  /* its iterations are those of all levels and steps together */
   int levels;             /* coarser nets that were solved first */
   const char *degenerate; /* NULL: none */
-  bool converged;         /* solved and not degenerate */
-  const char *reason;     /* of the verdict: the degenerate state, or the solver's reason */
+  const char *unproven;   /* why nothing was solved: no constraint applies, or the measure that
+                             proves the kind is undefined everywhere; NULL: something was */
+  bool converged;         /* solved, proven and not degenerate */
+  const char *reason;     /* of the verdict: degenerate, unproven, or the solver's reason */
   const char *hint;       /* which key may help, as a sentence; NULL: none, or it converged */
   long skipped;           /* irregular vertices that constraints on regular stars left out */
   int measure_count;

@@ -55,7 +55,7 @@ static void measures_without_anything_beside(void **state) {
   lam_measured all = measured(*state, &(lam_measure_task){.mesh = &mesh});
   assert_int_equal(all.boundary_loops, 1);
   assert_int_equal(all.irregular_vertices, 0);
-  assert_int_equal(all.measure_count, 51); /* all but the three slow ones */
+  assert_int_equal(all.measure_count, 53); /* all but the three slow ones */
   assert_measure(&all, "angle_deviation", 1, 0);
   assert_measure(&all, "turning_angle", 1, 2 * atan(.5) * 180 / acos(-1));
   assert_measure(&all, "edge_length", 12, sqrt(1.25));

@@ -66,9 +66,9 @@ static const lam_key keys[] = {
                  "corners, which have four edges, keep the angle."),
     {0}};
 
-static const char *const measures[] = {
-    "star_planarity", "angle_deviation", "crossing_angle", "edge_length",
-    "shortest_edge",  "foldovers",       "flatness",       NULL};
+static const char *const measures[] = {"star_planarity", "angle_deviation", "crossing_angle",
+                                       "edge_length",    "shortest_edge",   "foldovers",
+                                       "overlaps",       "flatness",        NULL};
 
 const lam_net_kind lam_net_asymptotic = {
     .head = {"asymptotic", "Asymptotic net",
@@ -86,5 +86,6 @@ const lam_net_kind lam_net_asymptotic = {
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
     .measures = measures,
+    .proof = "star_planarity",
     .target_angle = target_angle,
     .constrain_thesis = constrain_thesis};

@@ -31,10 +31,15 @@ static const lam_key keys[] = {
                  "polyline to the next."),
     {0}};
 
-static const char *const measures[] = {"edge_variation", "opposite_edge_difference",
-                                       "edge_length",    "crossing_angle",
-                                       "shortest_edge",  "foldovers",
-                                       "flatness",       NULL};
+static const char *const measures[] = {"edge_variation",
+                                       "opposite_edge_difference",
+                                       "edge_length",
+                                       "crossing_angle",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "overlaps",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_chebyshev = {
     .head = {"chebyshev", "Chebyshev net",
@@ -57,4 +62,5 @@ const lam_net_kind lam_net_chebyshev = {
     .schedule = LAM_UNGUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .proof = "opposite_edge_difference"};

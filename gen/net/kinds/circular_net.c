@@ -11,8 +11,9 @@ static void constrain(lam_scope *scope, const void *params, lam_location locatio
   lam_con_circular.add(scope, NULL, 1, location);
 }
 
-static const char *const measures[] = {
-    "face_planarity", "circularity", "edge_length", "shortest_edge", "foldovers", "flatness", NULL};
+static const char *const measures[] = {"face_planarity", "circularity", "edge_length",
+                                       "shortest_edge",  "foldovers",   "overlaps",
+                                       "flatness",       NULL};
 
 const lam_net_kind lam_net_circular = {
     .head = {"circular", "Circular net",
@@ -36,4 +37,5 @@ const lam_net_kind lam_net_circular = {
     .schedule = LAM_GUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .proof = "circularity"};

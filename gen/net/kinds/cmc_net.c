@@ -85,6 +85,7 @@ static const char *const measures[] = {"star_curvature",
                                        "edge_length",
                                        "shortest_edge",
                                        "foldovers",
+                                       "overlaps",
                                        "flatness",
                                        NULL};
 
@@ -115,4 +116,5 @@ const lam_net_kind lam_net_cmc = {
     .constrain = constrain,
     .constrain_thesis = constrain_thesis,
     .measures = measures,
+    .proof = "star_curvature",
     .target_angle = target_angle};

@@ -28,10 +28,19 @@ static const lam_key keys[] = {
                  "equally long: a start whose sides differ cannot keep them."),
     {0}};
 
-static const char *const measures[] = {
-    "opposite_angle", "angle_deviation", "gauss_image_area", "gauss_image_area_signed",
-    "crossing_angle", "straightness_u",  "straightness_v",   "edge_length",
-    "shortest_edge",  "foldovers",       "flatness",         NULL};
+static const char *const measures[] = {"opposite_angle",
+                                       "angle_deviation",
+                                       "gauss_image_area",
+                                       "gauss_image_area_signed",
+                                       "crossing_angle",
+                                       "straightness_u",
+                                       "straightness_v",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "overlaps",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_dig = {
     .head = {"dig", "Isogonal geodesic net (developable)",
@@ -52,4 +61,5 @@ const lam_net_kind lam_net_dig = {
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
     .measures = measures,
+    .proof = "opposite_angle",
     .target_angle = target_angle};

@@ -24,13 +24,21 @@ static const lam_key keys[] = {
                  "equally long: a start whose sides differ cannot keep them."),
     {0}};
 
-static const char *const measures[] = {"angle_spread",     "opposite_angle",
-                                       "gauss_image_area", "gauss_image_area_signed",
-                                       "orthogonality",    "straightness_u",
-                                       "straightness_v",   "edge_variation_u",
-                                       "edge_variation_v", "edge_length",
-                                       "shortest_edge",    "foldovers",
-                                       "flatness",         NULL};
+static const char *const measures[] = {"angle_spread",
+                                       "opposite_angle",
+                                       "gauss_image_area",
+                                       "gauss_image_area_signed",
+                                       "orthogonality",
+                                       "straightness_u",
+                                       "straightness_v",
+                                       "edge_variation_u",
+                                       "edge_variation_v",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "overlaps",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_dog = {
     .head = {"dog", "Orthogonal geodesic net (developable)",
@@ -53,4 +61,5 @@ const lam_net_kind lam_net_dog = {
     .schedule = LAM_GUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .proof = "angle_spread"};

@@ -8,9 +8,9 @@ static void constrain(lam_scope *scope, const void *params, lam_location locatio
   (void)scope, (void)params, (void)location;
 }
 
-static const char *const measures[] = {
-    "star_planarity", "face_planarity", "crossing_angle", "edge_length",
-    "shortest_edge",  "foldovers",      "flatness",       NULL};
+static const char *const measures[] = {"star_planarity", "face_planarity", "crossing_angle",
+                                       "edge_length",    "shortest_edge",  "foldovers",
+                                       "overlaps",       "flatness",       NULL};
 
 const lam_net_kind lam_net_free = {
     .head = {"free", "Net of listed constraints",

@@ -29,6 +29,7 @@ static const char *const measures[] = {"opposite_angle",
                                        "edge_length",
                                        "shortest_edge",
                                        "foldovers",
+                                       "overlaps",
                                        "flatness",
                                        NULL};
 
@@ -49,4 +50,5 @@ const lam_net_kind lam_net_geodesic = {
     .schedule = LAM_GUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .proof = "opposite_angle"};

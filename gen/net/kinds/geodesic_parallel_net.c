@@ -84,6 +84,7 @@ static const char *const measures[] = {"straightness_u",
                                        "edge_length",
                                        "shortest_edge",
                                        "foldovers",
+                                       "overlaps",
                                        "flatness",
                                        NULL};
 
@@ -116,4 +117,5 @@ const lam_net_kind lam_net_geodesic_parallel = {
     .guide = {LAM_FAIR_POSITION, 0, 0},
     .constrain = constrain,
     .constrain_thesis = constrain_thesis,
-    .measures = measures};
+    .measures = measures,
+    .proof = "orthogonality"};

@@ -36,10 +36,15 @@ static const lam_key keys[] = {
                    "vertices, which is better where edges are unequal."),
     {0}};
 
-static const char *const measures[] = {"angle_deviation", "circle_angle_deviation",
-                                       "crossing_angle",  "edge_length",
-                                       "shortest_edge",   "foldovers",
-                                       "flatness",        NULL};
+static const char *const measures[] = {"angle_deviation",
+                                       "circle_angle_deviation",
+                                       "crossing_angle",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "overlaps",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_isogonal = {
     .head = {"isogonal", "Isogonal net",
@@ -64,4 +69,5 @@ const lam_net_kind lam_net_isogonal = {
     .constrain = constrain,
     .constrain_thesis = constrain_thesis,
     .measures = measures,
+    .proof = "angle_deviation",
     .target_angle = target_angle};

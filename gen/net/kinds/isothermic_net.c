@@ -11,9 +11,9 @@ static void constrain(lam_scope *scope, const void *params, lam_location locatio
   lam_con_isothermic.add(scope, NULL, 1, location);
 }
 
-static const char *const measures[] = {
-    "face_planarity", "circularity", "cross_ratio", "edge_length",
-    "shortest_edge",  "foldovers",   "flatness",    NULL};
+static const char *const measures[] = {"face_planarity", "circularity",   "cross_ratio",
+                                       "edge_length",    "shortest_edge", "foldovers",
+                                       "overlaps",       "flatness",      NULL};
 
 const lam_net_kind lam_net_isothermic = {
     .head = {"isothermic", "Isothermic net",
@@ -33,4 +33,5 @@ const lam_net_kind lam_net_isothermic = {
     .schedule = LAM_GUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .proof = "cross_ratio"};

@@ -34,9 +34,9 @@ static const lam_key keys[] = {
                  "Vertices of the border take part: their edges are coplanar."),
     {0}};
 
-static const char *const measures[] = {"star_planarity", "edge_variation", "gauss_curvature",
-                                       "edge_length",    "crossing_angle", "shortest_edge",
-                                       "foldovers",      "flatness",       NULL};
+static const char *const measures[] = {
+    "star_planarity", "edge_variation", "gauss_curvature", "edge_length", "crossing_angle",
+    "shortest_edge",  "foldovers",      "overlaps",        "flatness",    NULL};
 
 const lam_net_kind lam_net_k_net = {
     .head = {"k-net", "K-net",
@@ -58,4 +58,5 @@ const lam_net_kind lam_net_k_net = {
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
     .constrain_thesis = constrain_thesis,
-    .measures = measures};
+    .measures = measures,
+    .proof = "star_planarity"};

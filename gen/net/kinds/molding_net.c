@@ -191,7 +191,7 @@ static void constrain(lam_scope *scope, const void *given, lam_location location
 }
 
 static const char *const measures[] = {"face_planarity", "conicality", "circularity", "edge_length",
-                                       "shortest_edge",  "foldovers",  NULL};
+                                       "shortest_edge",  "foldovers",  "overlaps",    NULL};
 
 static const lam_key keys[] = {
     LAM_ANGLE_KEY(params, "turn", turn, "120 deg", -20 * LAM_PI, 20 * LAM_PI,
@@ -229,4 +229,5 @@ const lam_net_kind lam_net_isogonal_molding = {
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
     .measures = measures,
+    .proof = "face_planarity",
     .start = start};

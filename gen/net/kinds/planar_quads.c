@@ -14,8 +14,8 @@ static void constrain_thesis(lam_scope *scope, const void *params, lam_location 
   lam_thesis_planar_faces(scope);
 }
 
-static const char *const measures[] = {"face_planarity", "edge_length", "shortest_edge",
-                                       "foldovers",      "flatness",    NULL};
+static const char *const measures[] = {
+    "face_planarity", "edge_length", "shortest_edge", "foldovers", "overlaps", "flatness", NULL};
 
 const lam_net_kind lam_net_planar_quads = {
     .head = {"planar-quads", "Planar quad net",
@@ -36,4 +36,5 @@ const lam_net_kind lam_net_planar_quads = {
     .file_closeness = .3,
     .constrain = constrain,
     .measures = measures,
+    .proof = "face_planarity",
     .constrain_thesis = constrain_thesis};

@@ -10,7 +10,7 @@ static void constrain(lam_scope *scope, const void *params, lam_location locatio
 
 static const char *const measures[] = {
     "face_planarity", "incircle_contact", "edge_length", "shortest_edge",
-    "foldovers",      "flatness",         NULL};
+    "foldovers",      "overlaps",         "flatness",    NULL};
 
 const lam_net_kind lam_net_s_isothermic = {
     .head = {"s-isothermic", "S-isothermic net",
@@ -31,4 +31,5 @@ const lam_net_kind lam_net_s_isothermic = {
     .schedule = LAM_UNGUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .proof = "incircle_contact"};

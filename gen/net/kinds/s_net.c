@@ -55,10 +55,19 @@ static const lam_key keys[] = {
         LAM_GIVEN(params, angle_given)),
     {0}};
 
-static const char *const measures[] = {
-    "star_sphericity",        "principal_deviation", "star_curvature", "curvature_ratio",
-    "circle_angle_deviation", "crossing_angle",      "face_planarity", "edge_length",
-    "shortest_edge",          "foldovers",           "flatness",       NULL};
+static const char *const measures[] = {"star_sphericity",
+                                       "principal_deviation",
+                                       "star_curvature",
+                                       "curvature_ratio",
+                                       "circle_angle_deviation",
+                                       "crossing_angle",
+                                       "face_planarity",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "overlaps",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_s_net = {
     .head = {"s-net", "Principal symmetric net (S-net)",
@@ -86,4 +95,5 @@ const lam_net_kind lam_net_s_net = {
     .constrain = constrain,
     .constrain_thesis = constrain_thesis,
     .measures = measures,
+    .proof = "star_sphericity",
     .target_angle = target_angle};

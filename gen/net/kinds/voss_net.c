@@ -19,11 +19,19 @@ static const lam_key keys[] = {LAM_FLAG_KEY(params, "boundary-length", boundary_
                                             "Every side of the boundary keeps its length."),
                                {0}};
 
-static const char *const measures[] = {
-    "opposite_angle",   "face_planarity",   "geodesic_error_u",
-    "geodesic_error_v", "gauss_image_area", "gauss_image_area_signed",
-    "crossing_angle",   "edge_length",      "shortest_edge",
-    "foldovers",        "flatness",         NULL};
+static const char *const measures[] = {"opposite_angle",
+                                       "face_planarity",
+                                       "geodesic_error_u",
+                                       "geodesic_error_v",
+                                       "gauss_image_area",
+                                       "gauss_image_area_signed",
+                                       "crossing_angle",
+                                       "edge_length",
+                                       "shortest_edge",
+                                       "foldovers",
+                                       "overlaps",
+                                       "flatness",
+                                       NULL};
 
 const lam_net_kind lam_net_voss = {
     .head = {"voss", "Voss net",
@@ -40,4 +48,5 @@ const lam_net_kind lam_net_voss = {
     .schedule = LAM_GUIDED_SCHEDULE,
     .guide = LAM_GUIDED_GUIDE,
     .constrain = constrain,
-    .measures = measures};
+    .measures = measures,
+    .proof = "opposite_angle"};

@@ -20,8 +20,6 @@ const char *lam_net_degenerate(lam_arena *arena, const lam_net *net, const lam_v
                          lam_net_measure_one(arena, net, after, "shortest_edge")};
   lam_measure flat[2] = {lam_net_measure_one(arena, net, before, "flatness"),
                          lam_net_measure_one(arena, net, after, "flatness")};
-  lam_measure fold[2] = {lam_net_measure_one(arena, net, before, "foldovers"),
-                         lam_net_measure_one(arena, net, after, "foldovers")};
   double size[2] = {extent(net, before), extent(net, after)};
 
   /* A size that is not a number must not pass: hence the negations. */
@@ -32,10 +30,16 @@ const char *lam_net_degenerate(lam_arena *arena, const lam_net *net, const lam_v
   if (!(size[1] < 20 * size[0]))
     return "flown apart: the net is more than twenty times its size at the start";
 
-  /* The rest is held against the start: a plane that was a plane is none. */
+  /* These are held against the start: a plane that was a plane is none. */
   if (!(edge[1].max > .02) && edge[1].max < .2 * edge[0].max)
     return "collapsed: edges have shrunk to nothing";
   if (flat[0].max > 1e-6 && flat[1].max < .05 * flat[0].max) return "flattened: the net is a plane";
-  if (fold[1].max > fold[0].max) return "folded: faces have turned over";
+
+  /* Nobody can build these, wherever they come from. */
+  double folds = lam_net_measure_one(arena, net, after, "foldovers").max;
+  if (folds > 0) return lam_arena_printf(arena, "folded: faces turn over at %.0f edges", folds);
+  double covered = lam_net_measure_one(arena, net, after, "overlaps").max;
+  if (covered > 0)
+    return lam_arena_printf(arena, "lies on itself: %.0f faces are over others", covered);
   return NULL;
 }

@@ -19,6 +19,7 @@
   row(edge_length) \
   row(shortest_edge) \
   row(foldovers) \
+  row(overlaps) \
   row(flatness) \
   row(edge_variation) \
   row(opposite_edge_difference) \
@@ -59,6 +60,7 @@
   row(cross_ratio) \
   row(incircle_contact) \
   row(surface_gauss_curvature) \
+  row(coverage) \
   row(flattening_distortion) \
   row(flattening_stretch) \
   row(flattening_compression) \

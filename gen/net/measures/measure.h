@@ -21,6 +21,7 @@ typedef struct lam_measuring {
   const lam_tree *reference;         /* a mesh to compare with; NULL: none */
   const lam_trimesh *reference_mesh; /* of the tree */
   const double *axis; /* point and direction of a surface of revolution (6 numbers); NULL: none */
+  double coverage;    /* of the surface by traced lines, 0 to 1; 0: none were traced */
   const lam_vec3 *start; /* positions that strains are measured against; NULL: none */
 
   /* The surface that the vertices lie on, at these parameters; NULL: none, or not known. */
@@ -49,6 +50,7 @@ typedef struct lam_measure_kind {
 
 extern const lam_measure_kind *const lam_measures[]; /* lam_measure_count of them */
 extern const int lam_measure_count;
+extern const lam_measure_kind lam_measure_coverage; /* one of them: design/net_stage.c adds it */
 /* The measure called name, or NULL. */
 const lam_measure_kind *lam_measure_find(const char *name);
 
@@ -72,9 +74,10 @@ lam_measure lam_net_measure_one(lam_arena *arena, const lam_net *net, const lam_
                                 const char *name);
 
 /* Names the degenerate state of a solved net, or NULL: "not a number: ...", "shrunk: ...", "flown
- * apart: ...", "collapsed: ...", "flattened: ...", "folded: ...". before and after are positions
- * (vertex_count, of any one unit); the states are judged against the start, so that a plane that
- * was a plane is none. */
+ * apart: ...", "collapsed: ...", "flattened: ...", "folded: ...", "lies on itself: ...". before and
+ * after are positions (vertex_count, of any one unit). Collapsed and flattened are judged against
+ * the start, so that a plane that was a plane is none; folds and overlaps are failures whatever the
+ * start had. The text is static or in arena. */
 const char *lam_net_degenerate(lam_arena *arena, const lam_net *net, const lam_vec3 *before,
                                const lam_vec3 *after);
 

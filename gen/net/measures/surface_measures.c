@@ -12,6 +12,16 @@ static void gauss_curvature(const lam_measuring *in, double *values) {
   }
 }
 
+/* Lines are traced before the net is solved, which moves it a little. */
+static void coverage(const lam_measuring *in, double *values) {
+  if (in->coverage > 0) values[0] = in->coverage;
+}
+
+const lam_measure_kind lam_measure_coverage = {
+    "coverage", "",
+    "share of the surface's area over its ranges of u and v that a net of traced lines covered "
+    "when it was traced, to a percent; undefined for others",
+    LAM_ON_NET, coverage};
 const lam_measure_kind lam_measure_surface_gauss_curvature = {
     "surface_gauss_curvature", "1/m2",
     "Gauss curvature of the smooth surface at the vertices, edges included, where they still lie "

@@ -191,7 +191,8 @@ static bool place_mesh(const lam_placement_keys *placing, lam_location location,
   lam_vec3 low, high;
   lam_points_bounds(mesh->vertices, mesh->vertex_count, &low, &high);
   double extent = fmax(high.x - low.x, high.y - low.y);
-  lam_placement done = {{placing->rotate[0], placing->rotate[1], placing->rotate[2]}, 1, 0, NULL};
+  lam_placement done = {.rotate = {placing->rotate[0], placing->rotate[1], placing->rotate[2]},
+                        .scale = 1};
   if (placing->size_given && extent > 0) {
     done.scale = placing->size / extent;
     for (int v = 0; v < mesh->vertex_count; v++)
@@ -244,9 +245,17 @@ bool lam_net_start_traced(lam_arena *arena, const lam_surface *surface, lam_char
                           const int grid[2], int hole, const struct lam_trace_options *options,
                           const lam_placement_keys *placing, lam_location location,
                           lam_errors *errors, lam_mesh *mesh, lam_placement *placed) {
-  return lam_trace_net(arena, surface, chart, grid, hole, options, placing, location, errors,
-                       mesh) &&
-         place_mesh(placing, location, errors, mesh, placed);
+  lam_traced traced;
+  if (!lam_trace_net(arena, surface, chart, grid, hole, options, placing, location, errors, mesh,
+                     &traced) ||
+      !place_mesh(placing, location, errors, mesh, placed))
+    return false;
+
+  if (placed) {
+    placed->coverage = traced.coverage;
+    memcpy(placed->cells, traced.cells, sizeof traced.cells);
+  }
+  return true;
 }
 
 /* Two passes: the lowest vertex, then the move. */

@@ -14,6 +14,9 @@ typedef struct lam_placement {
   double rotate[3]; /* about the x, y and z axis, in this order, radians */
   double scale;
   double lift; /* meters */
+  /* Of a traced net (net/trace/trace.h); cells are 0 where nothing was traced. */
+  double coverage;
+  int cells[2];
   /* natural ones of the vertices that were sampled; NULL: in another chart */
   const lam_vec2 *parameters;
 } lam_placement;

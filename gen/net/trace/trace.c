@@ -239,7 +239,7 @@ typedef struct step_limits {
 
 static step_limits limits_of(const lam_line_field *field) {
   return (step_limits){field->size / 100, 1e-8 * field->size, field->size / 20,
-                       1e-11 * field->size};
+                       field->tolerance * field->size};
 }
 
 /* Appends the end of a line whose next step leaves the field, and tells why it ends: at the
@@ -354,7 +354,7 @@ static double size_over(const lam_surface *surface, double range[2][2]) {
 /* A range that placing gives is not closed any more, even where it is a whole period. */
 lam_line_field lam_line_field_make(const lam_surface *surface, lam_chart chart,
                                    const lam_placement_keys *placing, const double at[2]) {
-  lam_line_field field = {.surface = surface, .chart = chart};
+  lam_line_field field = {.surface = surface, .chart = chart, .tolerance = 1e-11};
   double range[2][2];
   bool closed[2] = {false, false};
   surface->kind->domain(surface->data, LAM_CHART_NATURAL, range[0], range[1], closed);

@@ -19,6 +19,22 @@ static lam_vec3 position(const lam_line *line, double s) {
   return lam_surface_point(line->field->surface, LAM_CHART_NATURAL, 0, p.y[0], p.y[1]);
 }
 
+/* The same in (u, v). */
+static lam_vec2 parameters(const lam_line *line, double s) {
+  lam_line_point p = lam_line_at(line, s);
+  return (lam_vec2){p.y[0], p.y[1]};
+}
+
+/* Points in (u, v) of lines (columns of them) at equal arc lengths from s0 to s1. */
+static lam_cells cells_on(lam_arena *arena, const lam_line *lines, int columns, int rows, double s0,
+                          double s1) {
+  lam_cells cells = {rows, columns, LAM_NEW(arena, lam_vec2, rows * columns)};
+  for (int i = 0; i < rows; i++)
+    for (int j = 0; j < columns; j++)
+      cells.at[i * columns + j] = parameters(&lines[j], s0 + (s1 - s0) * i / (rows - 1));
+  return cells;
+}
+
 /* ---- parallels ---- */
 
 /* The geodesic at right angles to the base line at arc length t, in the sense that makes geodesic
@@ -83,7 +99,8 @@ static bool base_closes(const lam_line *lines, int m, double s0, double s1, doub
 
 /* Rows are points at equal distance from the base line, columns are geodesics. */
 bool lam_geodesic_parallel_net(lam_arena *arena, const lam_line_field *field, const double at[2],
-                               int base, const int grid[2], double spacing, lam_mesh *mesh) {
+                               int base, const int grid[2], double spacing, lam_mesh *mesh,
+                               lam_cells *cells) {
   lam_line_field along = *field;
   along.chart = LAM_CHART_NATURAL;
   along.branch = !base; /* u = const runs along v */
@@ -108,6 +125,7 @@ bool lam_geodesic_parallel_net(lam_arena *arena, const lam_line_field *field, co
   }
   if (!(part[3] > part[2])) return false;
 
+  *cells = cells_on(arena, lines, m + 1, n + 1, part[2], part[3]);
   bool closed = base_closes(lines, m, part[2], part[3], field->size);
   int columns = m + !closed;
   *mesh = lam_mesh_grid(arena, n + 1, columns, false, closed);
@@ -122,10 +140,11 @@ bool lam_geodesic_parallel_net(lam_arena *arena, const lam_line_field *field, co
 /* Rows are circles around the pole, columns are spokes: geodesics that leave it evenly. Without a
  * spacing the rings divide the shortest spoke; with one, there are as many as all spokes reach. */
 bool lam_geodesic_polar_net(lam_arena *arena, const lam_line_field *field, const double at[2],
-                            const int grid[2], int hole, double spacing, lam_mesh *mesh) {
+                            const int grid[2], int hole, double spacing, lam_mesh *mesh,
+                            lam_cells *cells) {
   int spokes = grid[1], rings = grid[0], first = hole > 1 ? hole : 1;
   double reach = spacing > 0 ? spacing * rings : 4 * field->size;
-  lam_line *lines = LAM_NEW(arena, lam_line, spokes);
+  lam_line *lines = LAM_NEW(arena, lam_line, spokes + 1);
   lam_vec2 d[2];
   if (spokes < 3 || !lam_line_directions(field, at[0], at[1], d)) return false;
 
@@ -144,6 +163,8 @@ bool lam_geodesic_polar_net(lam_arena *arena, const lam_line_field *field, const
   }
   if (rings <= first || !(reach > 0)) return false;
 
+  lines[spokes] = lines[0];
+  *cells = cells_on(arena, lines, spokes + 1, rings - first + 1, reach * first / rings, reach);
   *mesh = lam_mesh_grid(arena, rings - first + 1, spokes, false, true);
   for (int i = first; i <= rings; i++)
     for (int j = 0; j < spokes; j++)

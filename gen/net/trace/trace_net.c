@@ -2,11 +2,13 @@
  * of family 0, and line j of family 0 at the seed t_j of the base line of family 1. Vertex (i, j)
  * is where they cross: with T the arc length on the one and S on the other, Newton's method for
  * P_i(T) = Q_j(S) in (u, v), whose Jacobian are the directions of the lines. Crossings are followed
- * outward from the base lines, each beginning at its neighbor. Called by trace_start.c. */
+ * outward from the base lines, each beginning at its neighbor. Lines that come back to where others
+ * are laid already end there. Called by trace_start.c. */
 #include "net/trace/trace_net.h"
 #include "mesh/net.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Where a line of each family cross. */
@@ -21,6 +23,7 @@ typedef struct weave {
   lam_arena *arena;
   const lam_line_field *field[2]; /* of family 0 and 1 */
   lam_line base[2];               /* the lines of both families through `at` */
+  double from[2], to[2];          /* arc lengths that seeds may lie between on them */
   int n, m;                       /* seeds */
   double *s, *t;                  /* of the seeds; increasing */
   lam_line *across[2];            /* across[0][j]: family 0; across[1][i]: family 1 */
@@ -124,27 +127,129 @@ static void find_crossings(weave *w) {
     }
 }
 
+/* ---- lines already laid ---- */
+
+/* A cell between the seeds i, i + 1 and j, j + 1, and how far from `at` it begins, meters. */
+typedef struct cell {
+  int i, j;
+  double away;
+} cell;
+
+/* Distance of the gap between two seeds from the base line. */
+static double gap_away(const double *seeds, int k) {
+  return fmax(fmax(seeds[k], -seeds[k + 1]), 0);
+}
+
+/* From near to far; cells at the same distance by their numbers. */
+static int by_distance(const void *a, const void *b) {
+  const cell *p = a, *q = b;
+  if (p->away != q->away) return p->away < q->away ? -1 : 1;
+  return p->i != q->i ? p->i - q->i : p->j - q->j;
+}
+
+/* Whether all corners of a cell are found; corner: out, in (u, v), in order around it. */
+static bool corners_of(const weave *w, int i, int j, lam_vec2 corner[4]) {
+  const crossing *c[4] = {&w->at[i * w->m + j], &w->at[(i + 1) * w->m + j],
+                          &w->at[(i + 1) * w->m + j + 1], &w->at[i * w->m + j + 1]};
+  bool found = true;
+  for (int k = 0; k < 4; k++) {
+    found = found && c[k]->found;
+    corner[k] = (lam_vec2){c[k]->u, c[k]->v};
+  }
+  return found;
+}
+
+/* Twice the area of a cell in (u, v), with the sense of its corners. */
+static double turn_of(const lam_vec2 c[4]) {
+  return (c[2].x - c[0].x) * (c[3].y - c[1].y) - (c[2].y - c[0].y) * (c[3].x - c[1].x);
+}
+
+/* Seen from the base line, the crossing of cell k that is farther out, and the last seed on its
+ * side. */
+static void outward(const double *seeds, int count, int k, int *first, int *last) {
+  bool up = seeds[k] + seeds[k + 1] >= 0;
+  *first = up ? k + 1 : 0;
+  *last = up ? count - 1 : k;
+}
+
+/* A cell cannot be laid: its outer corner is no crossing, nor are those beyond it. */
+static void give_up(weave *w, int i, int j) {
+  int i0, i1, j0, j1;
+  outward(w->s, w->n, i, &i0, &i1);
+  outward(w->t, w->m, j, &j0, &j1);
+  for (int a = i0; a <= i1; a++)
+    for (int b = j0; b <= j1; b++) w->at[a * w->m + b].found = false;
+}
+
+/* Lays the cells from `at` outward. One that would lie on those before it, or is turned over, ends
+ * the lines there. */
+static void lay_cells(weave *w) {
+  enum { points = 512 };
+  int count = (w->n - 1) * (w->m - 1);
+  cell *cells = LAM_NEW(w->arena, cell, count);
+  for (int k = 0; k < count; k++) {
+    int i = k / (w->m - 1), j = k % (w->m - 1);
+    cells[k] = (cell){i, j, fmax(gap_away(w->s, i), gap_away(w->t, j))};
+  }
+  qsort(cells, (size_t)count, sizeof *cells, by_distance);
+
+  lam_line_point a = lam_line_at(&w->base[0], 0), b = lam_line_at(&w->base[1], 0);
+  double sense = a.y[2] * b.y[3] - a.y[3] * b.y[2];
+  lam_pattern *pattern = lam_pattern_new(w->arena, w->field[0], points);
+  for (int k = 0; k < count; k++) {
+    lam_vec2 corner[4];
+    if (!corners_of(w, cells[k].i, cells[k].j, corner)) continue;
+    if (!(turn_of(corner) * sense > 0) || !lam_pattern_lay(pattern, corner))
+      give_up(w, cells[k].i, cells[k].j);
+  }
+}
+
 /* ---- the rectangle ---- */
 
-/* The rectangle of seeds [low, high] with the most area, in arc lengths, in which all lines
- * cross; the base lines run through it. As a crossing needs those between it and the base lines,
- * the two outer lines of family 1 decide. False: there is none of at least one cell. */
+/* Where the lines i and j cross, in space. */
+static lam_vec3 position(const weave *w, int i, int j) {
+  const crossing *c = &w->at[i * w->m + j];
+  return lam_surface_point(w->field[0]->surface, LAM_CHART_NATURAL, 0, c->u, c->v);
+}
+
+/* Sums of the areas of cells, m^2: sums[i * m + j] of those before the lines i and j. Cells without
+ * four corners have none. */
+static double *area_sums(const weave *w) {
+  double *sums = LAM_NEW(w->arena, double, w->n * w->m);
+  for (int i = 0; i + 1 < w->n; i++)
+    for (int j = 0; j + 1 < w->m; j++) {
+      lam_vec2 corner[4];
+      double area = 0;
+      if (corners_of(w, i, j, corner))
+        area = lam_length(lam_cross(lam_sub(position(w, i + 1, j + 1), position(w, i, j)),
+                                    lam_sub(position(w, i, j + 1), position(w, i + 1, j)))) /
+               2;
+
+      double *at = &sums[(i + 1) * w->m + j + 1];
+      *at = area + at[-1] + at[-w->m] - at[-w->m - 1];
+    }
+  return sums;
+}
+
+/* The rectangle of seeds [low, high] with the most area in which all lines cross; the base lines
+ * run through it. As a crossing needs those between it and the base lines, the two outer lines of
+ * family 1 decide. False: there is none of at least one cell. */
 static bool largest(const weave *w, int low[2], int high[2]) {
   double best = 0;
-  int up = 0, right = 0; /* the first seeds that are not before the base */
+  const double *sums = area_sums(w);
+  int m = w->m, up = 0, right = 0; /* the first seeds that are not before the base */
   while (right < w->n - 1 && w->s[right] < 0) right++;
-  while (up < w->m - 1 && w->t[up] < 0) up++;
+  while (up < m - 1 && w->t[up] < 0) up++;
 
   for (int i0 = 0; i0 <= right; i0++)
     for (int i1 = right > i0 ? right : i0 + 1; i1 < w->n; i1++) {
       int j0 = up, j1 = up;
-      if (!w->at[i0 * w->m + up].found || !w->at[i1 * w->m + up].found) continue;
-      while (j0 > 0 && w->at[i0 * w->m + j0 - 1].found && w->at[i1 * w->m + j0 - 1].found) j0--;
-      while (j1 + 1 < w->m && w->at[i0 * w->m + j1 + 1].found && w->at[i1 * w->m + j1 + 1].found)
-        j1++;
+      if (!w->at[i0 * m + up].found || !w->at[i1 * m + up].found) continue;
+      while (j0 > 0 && w->at[i0 * m + j0 - 1].found && w->at[i1 * m + j0 - 1].found) j0--;
+      while (j1 + 1 < m && w->at[i0 * m + j1 + 1].found && w->at[i1 * m + j1 + 1].found) j1++;
 
-      double area = (w->s[i1] - w->s[i0]) * (w->t[j1] - w->t[j0]);
-      if (!(area > best * (1 + 1e-12))) continue;
+      double area = sums[i1 * m + j1] - sums[i0 * m + j1] - sums[i1 * m + j0] + sums[i0 * m + j0];
+      if (!(area > best * (1 + 1e-9))) continue;
       best = area;
       low[0] = i0, high[0] = i1, low[1] = j0, high[1] = j1;
     }
@@ -173,22 +278,15 @@ int lam_spaced_range(double spacing, int cells, double *from, double *to) {
   return behind + ahead;
 }
 
-/* Seeds at multiples of the spacing on a line, count <= cells + 1 of them. */
-static double *spaced_seeds(lam_arena *arena, const lam_line *line, double spacing, int cells,
-                            int *count) {
-  double from = lam_line_first(line), to = lam_line_last(line);
+/* Seeds at multiples of the spacing on the base line of a family, count <= cells + 1 of them. */
+static double *spaced_seeds(const weave *w, int family, double spacing, int cells, int *count) {
+  double from = w->from[family], to = w->to[family];
   int fit = lam_spaced_range(spacing, cells, &from, &to);
   *count = fit + 1;
-  return even_seeds(arena, from, to, fit ? fit : 1);
+  return even_seeds(w->arena, from, to, fit ? fit : 1);
 }
 
 /* ---- the mesh ---- */
-
-/* Where the lines i and j cross, in space. */
-static lam_vec3 position(const weave *w, int i, int j) {
-  const crossing *c = &w->at[i * w->m + j];
-  return lam_surface_point(w->field[0]->surface, LAM_CHART_NATURAL, 0, c->u, c->v);
-}
 
 /* Whether the first and the last line of a rectangle in the direction `way` (0: along family 0)
  * are the same points. */
@@ -218,13 +316,14 @@ static lam_mesh make_mesh(const weave *w, const int low[2], const int high[2]) {
 static bool weave_lines(weave *w, int low[2], int high[2]) {
   trace_lines(w);
   find_crossings(w);
+  lay_cells(w);
   return largest(w, low, high);
 }
 
 /* Seeds at a given spacing around `at`. */
 static bool weave_spaced(weave *w, const int grid[2], double spacing, int low[2], int high[2]) {
-  w->s = spaced_seeds(w->arena, &w->base[0], spacing, grid[0], &w->n);
-  w->t = spaced_seeds(w->arena, &w->base[1], spacing, grid[1], &w->m);
+  w->s = spaced_seeds(w, 0, spacing, grid[0], &w->n);
+  w->t = spaced_seeds(w, 1, spacing, grid[1], &w->m);
   return w->n >= 2 && w->m >= 2 && weave_lines(w, low, high);
 }
 
@@ -233,9 +332,7 @@ static bool weave_spaced(weave *w, const int grid[2], double spacing, int low[2]
  * rectangle is taken after a few passes in any case. */
 static bool weave_whole(weave *w, const int grid[2], int low[2], int high[2]) {
   enum { probes = 24, passes = 4 };
-  double from[2], to[2];
-  for (int k = 0; k < 2; k++)
-    from[k] = lam_line_first(&w->base[k]), to[k] = lam_line_last(&w->base[k]);
+  double from[2] = {w->from[0], w->from[1]}, to[2] = {w->to[0], w->to[1]};
 
   for (int pass = 0; pass < passes; pass++) {
     bool probing = pass == 0;
@@ -251,17 +348,107 @@ static bool weave_whole(weave *w, const int grid[2], int low[2], int high[2]) {
   return true;
 }
 
-/* Base lines through `at`, then the lines through seeds on them. */
-bool lam_weave_net(lam_arena *arena, const lam_line_field field[2], const lam_vec2 d[2],
-                   const double at[2], const int grid[2], double spacing, lam_mesh *mesh) {
-  weave w = {.arena = arena, .field = {&field[0], &field[1]}};
-  int low[2], high[2];
-  for (int k = 0; k < 2; k++)
-    w.base[k] = lam_line_trace(arena, &field[k], at[0], at[1], d[k], 4 * field[k].size,
-                               4 * field[k].size, NULL);
+/* The crossings of a rectangle in (u, v). */
+static lam_cells cells_of(const weave *w, const int low[2], const int high[2]) {
+  lam_cells cells = {high[0] - low[0] + 1, high[1] - low[1] + 1, NULL};
+  cells.at = LAM_NEW(w->arena, lam_vec2, cells.rows * cells.columns);
+  for (int i = 0; i < cells.rows; i++)
+    for (int j = 0; j < cells.columns; j++) {
+      const crossing *c = &w->at[(low[0] + i) * w->m + low[1] + j];
+      cells.at[i * cells.columns + j] = (lam_vec2){c->u, c->v};
+    }
+  return cells;
+}
 
+/* A pattern of fields over (u, v), and where a line has entered each of them. */
+enum { visit_side = 64 };
+typedef struct visits {
+  const lam_line_field *field;
+  bool entered[visit_side][visit_side];
+  double s[visit_side][visit_side]; /* arc length there */
+} visits;
+
+/* Enters the field of a point of the line. False when the line was there before, and is not only
+ * still there. */
+static bool enter(visits *v, const lam_line_point *p) {
+  const lam_line_field *field = v->field;
+  int at[2];
+  for (int c = 0; c < 2; c++) {
+    double share = (p->y[c] - field->low[c]) / (field->high[c] - field->low[c]);
+    at[c] = (int)fmin(fmax(floor(share * visit_side), 0), visit_side - 1);
+  }
+  bool *entered = &v->entered[at[0]][at[1]];
+  double *s = &v->s[at[0]][at[1]];
+  if (*entered && fabs(p->s - *s) > field->size / 8) return false;
+  *entered = true;
+  *s = p->s;
+  return true;
+}
+
+/* A line may come back beside itself and go on so for long: no net can use it twice. Both halves of
+ * the base line of a family go on, step by step, until they enter where it was before. A line that
+ * closes ends by itself. */
+static void end_where_it_returns(weave *w, int family) {
+  const lam_line *line = &w->base[family];
+  if (line->end[1] == LAM_END_CLOSED) return;
+  lam_arena_mark mark = lam_arena_mark_get(w->arena);
+  visits *v = LAM_NEW(w->arena, visits, 1);
+  v->field = w->field[family];
+
+  double step = v->field->size / (3 * visit_side), reached[2] = {0, 0};
+  double end[2] = {w->from[family], w->to[family]};
+  bool going[2] = {true, true};
+  for (int k = 0; going[0] || going[1]; k++)
+    for (int way = 0; way < 2; way++) {
+      if (!going[way]) continue;
+      double s = fmin(k * step, fabs(end[way])) * (way ? 1 : -1);
+      lam_line_point p = lam_line_at(line, s);
+      going[way] = enter(v, &p);
+      if (going[way]) reached[way] = s;
+      if (s == end[way]) going[way] = false;
+    }
+  w->from[family] = reached[0], w->to[family] = reached[1];
+  lam_arena_release(w->arena, mark);
+}
+
+/* Base lines through `at`, as far as they are of use. */
+static weave base_lines(lam_arena *arena, const lam_line_field field[2], const lam_vec2 d[2],
+                        const double at[2]) {
+  weave w = {.arena = arena, .field = {&field[0], &field[1]}};
+  double reach = 4 * field->size;
+  for (int k = 0; k < 2; k++) {
+    w.base[k] = lam_line_trace(arena, &field[k], at[0], at[1], d[k], reach, reach, NULL);
+    w.from[k] = lam_line_first(&w.base[k]), w.to[k] = lam_line_last(&w.base[k]);
+    end_where_it_returns(&w, k);
+  }
+  return w;
+}
+
+/* Base lines, then the lines through seeds on them. */
+bool lam_weave_net(lam_arena *arena, const lam_line_field field[2], const lam_vec2 d[2],
+                   const double at[2], const int grid[2], double spacing, lam_mesh *mesh,
+                   lam_cells *cells) {
+  weave w = base_lines(arena, field, d, at);
+  int low[2], high[2];
   bool woven =
       spacing > 0 ? weave_spaced(&w, grid, spacing, low, high) : weave_whole(&w, grid, low, high);
-  if (woven) *mesh = make_mesh(&w, low, high);
-  return woven;
+  if (!woven) return false;
+
+  *mesh = make_mesh(&w, low, high);
+  *cells = cells_of(&w, low, high);
+  return true;
+}
+
+/* One pass only. */
+bool lam_weave_roughly(lam_arena *arena, const lam_line_field field[2], const lam_vec2 d[2],
+                       const double at[2], lam_cells *cells) {
+  enum { rough = 12 }; /* cells */
+  weave w = base_lines(arena, field, d, at);
+  int low[2], high[2];
+  w.n = w.m = 1 + rough;
+  w.s = even_seeds(arena, w.from[0], w.to[0], rough);
+  w.t = even_seeds(arena, w.from[1], w.to[1], rough);
+  if (!weave_lines(&w, low, high)) return false;
+  *cells = cells_of(&w, low, high);
+  return true;
 }

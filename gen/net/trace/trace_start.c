@@ -125,17 +125,15 @@ static bool check_options(const lam_line_field *field, const double at[2], int h
   return true;
 }
 
-/* Weaves the lines of both branches of a field through `at`. given: their directions there. */
-static bool weave_branches(lam_arena *arena, const lam_line_field *field, const lam_vec2 given[2],
-                           const double at[2], const int grid[2], double spacing, lam_mesh *mesh) {
-  lam_line_field families[2] = {*field, *field};
-  lam_vec2 d[2];
+/* The fields of both families through `at`, and their directions d there. given: those of the
+ * branches. */
+static void orient_families(const lam_line_field *field, const lam_vec2 given[2],
+                            const double at[2], lam_line_field families[2], lam_vec2 d[2]) {
   int order[2] = {0, 1};
   lam_jet jet;
   lam_surface_eval(field->surface, at[0], at[1], &jet);
   orient(&jet, given, order, d);
-  for (int k = 0; k < 2; k++) families[k].branch = order[k];
-  return lam_weave_net(arena, families, d, at, grid, spacing, mesh);
+  for (int k = 0; k < 2; k++) families[k] = *field, families[k].branch = order[k];
 }
 
 /* Adds the error that no cell fits around `at`. */
@@ -150,29 +148,129 @@ static void too_short(lam_chart chart, const double at[2], double spacing, lam_l
                 spacing > 0 ? ", or a smaller spacing" : "");
 }
 
+/* ---- the net ---- */
+
+/* What is asked for; at: where the base lines cross. */
+typedef struct request {
+  const lam_surface *surface;
+  lam_chart chart;
+  int grid[2], hole;
+  const lam_trace_options *options;
+  const lam_placement_keys *placing;
+  double at[2];
+} request;
+
+/* A net through the point of the request, and how much of the surface it covers. given: the
+ * directions there. False: no cell fits. */
+static bool trace_through(lam_arena *arena, const request *r, const lam_line_field *field,
+                          const lam_vec2 given[2], lam_mesh *mesh, lam_traced *traced) {
+  double spacing = r->options->spacing;
+  lam_line_field families[2];
+  lam_vec2 d[2];
+  lam_cells cells;
+  bool made;
+  if (r->chart == LAM_CHART_GEODESIC_PARALLEL)
+    made = lam_geodesic_parallel_net(arena, field, r->at, r->options->base, r->grid, spacing, mesh,
+                                     &cells);
+  else if (r->chart == LAM_CHART_GEODESIC_POLAR)
+    made = lam_geodesic_polar_net(arena, field, r->at, r->grid, r->hole, spacing, mesh, &cells);
+  else {
+    orient_families(field, given, r->at, families, d);
+    made = lam_weave_net(arena, families, d, r->at, r->grid, spacing, mesh, &cells);
+  }
+  if (!made) return false;
+
+  *traced = (lam_traced){.coverage = lam_cells_coverage(arena, field, &cells),
+                         .at = {r->at[0], r->at[1]},
+                         .cells = {cells.rows - 1, cells.columns - 1}};
+  return true;
+}
+
+/* The share that a rough net through a point covers; 0 where there is none. Scratch is released. */
+static double coverage_through(lam_arena *arena, const lam_line_field *field, const double at[2]) {
+  lam_arena_mark mark = lam_arena_mark_get(arena);
+  lam_line_field families[2];
+  lam_vec2 given[2], d[2];
+  lam_cells cells;
+  double coverage = 0;
+  if (lam_line_directions(field, at[0], at[1], given)) {
+    orient_families(field, given, at, families, d);
+    if (lam_weave_roughly(arena, families, d, at, &cells))
+      coverage = lam_cells_coverage(arena, field, &cells);
+  }
+  lam_arena_release(arena, mark);
+  return coverage;
+}
+
+/* Where lines that leave much of the surface bare in the middle may begin instead: of five by five
+ * points, the one around which a rough net covers most. at: in, the middle; out, that point. False:
+ * none is better than the middle. */
+static bool better_start(lam_arena *arena, const lam_line_field *field, double at[2]) {
+  enum { side = 5 };
+  double best = coverage_through(arena, field, at) + .02; /* coverage is known to about a percent */
+  bool found = false;
+  for (int i = 0; i < side; i++)
+    for (int j = 0; j < side; j++) {
+      double point[2] = {field->low[0] + (field->high[0] - field->low[0]) * (i + .5) / side,
+                         field->low[1] + (field->high[1] - field->low[1]) * (j + .5) / side};
+      double coverage = coverage_through(arena, field, point);
+      if (!(coverage > best)) continue;
+      best = coverage;
+      memcpy(at, point, sizeof point);
+      found = true;
+    }
+  return found;
+}
+
+/* A net that is to cover the surface and does not, is traced anew from where more can be reached.
+ */
+static void try_elsewhere(lam_arena *arena, const request *asked, lam_mesh *mesh,
+                          lam_traced *traced) {
+  request r = *asked;
+  lam_vec2 given[2];
+  lam_line_field *field = LAM_NEW(arena, lam_line_field, 1);
+  *field = lam_line_field_make(r.surface, r.chart, r.placing, NULL);
+  lam_line_field rough = *field;
+  rough.tolerance = 1e-6;
+  if (!better_start(arena, &rough, r.at)) return;
+
+  lam_mesh other;
+  lam_traced there;
+  if (!lam_line_directions(field, r.at[0], r.at[1], given) ||
+      !trace_through(arena, &r, field, given, &other, &there) ||
+      !(there.coverage > traced->coverage))
+    return;
+  *mesh = other;
+  *traced = there;
+}
+
 /* Everything hangs on the directions at `at`, the middle of the ranges when it is not given. */
 bool lam_trace_net(lam_arena *arena, const lam_surface *surface, lam_chart chart, const int grid[2],
                    int hole, const lam_trace_options *options, const lam_placement_keys *placing,
-                   lam_location location, lam_errors *errors, lam_mesh *mesh) {
+                   lam_location location, lam_errors *errors, lam_mesh *mesh, lam_traced *traced) {
   lam_line_field field = lam_line_field_make(surface, chart, placing, options->at);
-  double at[2] = {(field.low[0] + field.high[0]) / 2, (field.low[1] + field.high[1]) / 2};
-  if (options->at) memcpy(at, options->at, sizeof at);
-  if (!check_options(&field, at, hole, location, errors)) return false;
+  request r = {surface,
+               chart,
+               {grid[0], grid[1]},
+               hole,
+               options,
+               placing,
+               {(field.low[0] + field.high[0]) / 2, (field.low[1] + field.high[1]) / 2}};
+  if (options->at) memcpy(r.at, options->at, sizeof r.at);
+  if (!check_options(&field, r.at, hole, location, errors)) return false;
 
   lam_vec2 given[2];
-  if (!lam_line_directions(&field, at[0], at[1], given)) {
-    no_directions(&field, at, location, errors);
+  if (!lam_line_directions(&field, r.at[0], r.at[1], given)) {
+    no_directions(&field, r.at, location, errors);
+    return false;
+  }
+  if (!trace_through(arena, &r, &field, given, mesh, traced)) {
+    too_short(chart, r.at, options->spacing, location, errors);
     return false;
   }
 
-  double spacing = options->spacing;
-  bool made;
-  if (chart == LAM_CHART_GEODESIC_PARALLEL)
-    made = lam_geodesic_parallel_net(arena, &field, at, options->base, grid, spacing, mesh);
-  else if (chart == LAM_CHART_GEODESIC_POLAR)
-    made = lam_geodesic_polar_net(arena, &field, at, grid, hole, spacing, mesh);
-  else
-    made = weave_branches(arena, &field, given, at, grid, spacing, mesh);
-  if (!made) too_short(chart, at, spacing, location, errors);
-  return made;
+  /* Geodesics start from the line or pole in the middle: elsewhere they are another net. */
+  bool free = !options->at && options->spacing == 0 && chart < LAM_CHART_COUNT;
+  if (free && traced->coverage < lam_enough_coverage) try_elsewhere(arena, &r, mesh, traced);
+  return true;
 }

@@ -25,6 +25,8 @@ static const double line_part = 0.7;
 /* Damping that hardly shortens steps. */
 static const double weak = 1e-3;
 
+enum { recent = 8 }; /* steps whose fall is remembered */
+
 typedef struct newton {
   const lam_area_form *form;
   const lam_area_system *system;
@@ -34,6 +36,9 @@ typedef struct newton {
   double value, scale;       /* what is minimized, at points; the area at the start */
   double lambda, floor;      /* damping, and its least value */
   double fall;               /* of the value in the last step */
+  double falls[recent];      /* in the last steps, in a ring */
+  double promise;            /* of the least damped step tried last: how much the value falls */
+  bool stuck;                /* no step of any length goes down */
   bool known;                /* the second variation is that of points */
   double factored;           /* the damping that the system is factorized with; NAN: none */
   bool short_step;           /* the last step was, by a damping that can still be lowered */
@@ -92,12 +97,15 @@ static double lengthen(newton *n, double *value) {
 /* One step downhill, the damping raised until the area falls enough; false: no step of any
  * length goes down. */
 static bool descend(lam_arena *arena, newton *n) {
-  bool raised = false;
+  bool raised = false, first = true;
+  n->stuck = false;
   for (; n->lambda < 1e8; n->lambda *= 4, raised = true) {
     if (!factor(n, n->lambda)) continue;
     lam_area_system_step(arena, n->system, n->gradient, n->step);
 
     double slope = lam_area_product(n->count, n->gradient, n->step);
+    if (first) n->promise = -slope / 2;
+    first = false;
     lam_area_move(n->form, n->points, 1, n->step, n->trial);
     double value = lam_area_slope(n->form, n->trial);
     n->evaluations++;
@@ -119,6 +127,8 @@ static bool descend(lam_arena *arena, newton *n) {
     accept(n, t, value, !line);
     return true;
   }
+  n->stuck = true;
+  if (first) n->promise = INFINITY;
   return false;
 }
 
@@ -157,6 +167,30 @@ static bool leave_saddle(newton *n) {
   return true;
 }
 
+/* A stationary surface, to come back to. */
+typedef struct stationary {
+  lam_vec3 *points; /* the whole net */
+  double value;     /* infinite: none yet */
+} stationary;
+
+/* Whether a stationary surface is a minimum. If not, the surface leaves it, and the descent goes
+ * on; where that leads to no less area, what seemed to go down was noise, and the surface before it
+ * is the minimum. */
+static bool is_minimum(newton *n, double tolerance, stationary *before,
+                       lam_least_area_result *result) {
+  size_t bytes = (size_t)(n->form->surface.count[0] * n->form->surface.count[1]) * sizeof(lam_vec3);
+  bool less = n->value < before->value - tolerance * n->scale;
+  if (!less) result->saddles--;
+  if (!less && n->value > before->value) {
+    memcpy(n->points, before->points, bytes);
+    return true;
+  }
+
+  memcpy(before->points, n->points, bytes);
+  before->value = n->value;
+  return !less || !leave_saddle(n);
+}
+
 /* Goes down until the area falls no more, past up to four saddle points. */
 void lam_area_newton(lam_arena *arena, const lam_area_form *form,
                      const lam_least_area_options *options, lam_vec3 *points,
@@ -173,29 +207,42 @@ void lam_area_newton(lam_arena *arena, const lam_area_form *form,
               .gradient = LAM_NEW(arena, lam_vec3, total),
               .floor = floor_of(form),
               .scale = result->area};
+  for (int k = 0; k < recent; k++) n.falls[k] = INFINITY;
+
+  stationary before = {LAM_NEW(arena, lam_vec3, all), INFINITY};
 
   begin(arena, &n);
   for (; result->iterations < options->most; result->iterations++) {
     if (!descend(arena, &n)) {
+      /* To rounding, there is nothing to gain any more: that is stationary, too. */
+      n.fall = n.promise;
+      n.short_step = false;
       result->reason = "no step goes down any more";
-      break;
     }
+
+    n.falls[result->iterations % recent] = n.fall;
 
     /* A small fall says nothing while the damping shortens the steps. */
     result->converged = options->enough > 0
                             ? n.value <= options->enough
                             : n.fall <= options->tolerance * n.scale && !n.short_step;
+    if (!result->converged && n.stuck) break;
     if (!result->converged) continue;
     result->iterations++;
     result->reason = lam_area_converged(options);
 
-    /* Stationary is not enough: a saddle point is left and the descent goes on. */
-    if (options->enough > 0 || options->accept_saddles || !leave_saddle(&n)) break;
+    /* Stationary is not enough. */
+    if (options->enough > 0 || options->accept_saddles ||
+        is_minimum(&n, options->tolerance, &before, result))
+      break;
     result->converged = false;
+    result->reason = "as many steps as allowed";
     if (++result->saddles > 4) {
       result->reason = "stationary, but no minimum";
       break;
     }
   }
+  result->fall = 0;
+  for (int k = 0; k < recent; k++) result->fall += n.falls[k];
   result->evaluations += n.evaluations;
 }

@@ -73,7 +73,8 @@ static lam_least_area_result minimize(lam_arena *arena, const lam_spline_surface
   int all = start->count[0] * start->count[1];
   lam_vec3 *points = LAM_NEW(arena, lam_vec3, all);
   memcpy(points, start->points, (size_t)all * sizeof *points);
-  lam_least_area_result result = {.surface = *start, .reason = "as many steps as allowed"};
+  lam_least_area_result result = {
+      .surface = *start, .reason = "as many steps as allowed", .fall = INFINITY};
   result.surface.points = points;
 
   lam_arena_mark mark = lam_arena_mark_get(arena);

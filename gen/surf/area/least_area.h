@@ -72,6 +72,8 @@ typedef struct lam_least_area_result {
                                   lam_surface_area for one that was not */
   int iterations, evaluations; /* steps; evaluations of the area for them */
   int saddles;                 /* stationary surfaces that were no minimum and had to be left */
+  double fall;                 /* of the area in the last eight steps, m^2; Newton alone; infinite
+                                  when there were fewer */
   bool converged;
   const char *reason; /* why it stopped; static text */
 } lam_least_area_result;
@@ -96,6 +98,10 @@ double lam_surface_area(lam_arena *arena, const lam_spline_surface *surface, int
 /* The area from inscribed triangles on n, 2n and 4n cells per knot span (n = cells), extrapolated.
  * The tests check lam_surface_area against it. */
 double lam_surface_area_triangles(lam_arena *arena, const lam_spline_surface *surface, int cells);
+/* An estimate of how far, m^2, the area is above the least one on the same boundary: what a Newton
+ * step promises to save when every span is halved. NaN: not estimated (more than 32 spans along a
+ * direction, or the surface is no minimum there). */
+double lam_surface_area_excess(lam_arena *arena, const lam_spline_surface *surface);
 /* |H - wanted|, 1/m, at count x count points inside of every knot span: the largest, the root of
  * the mean square, and the number of points. */
 void lam_surface_mean_curvature(lam_arena *arena, const lam_spline_surface *surface, double wanted,

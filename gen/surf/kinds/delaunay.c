@@ -62,12 +62,14 @@ static void eval(const void *data, double u, double v, lam_jet *jet) {
                   u, jet);
 }
 
-/* One wave, from neck to neck. */
+/* One wave, from neck to neck. Its diagonals reach almost all the way around at most: a net
+ * of them would lie on itself otherwise. */
 static bool domain(const void *data, lam_chart chart, double p[2], double q[2], bool closed[2]) {
   const lam_delaunay *s = data;
   double half = s->elliptic.quarter / s->h;
   lam_domain rings = {{0, 2 * LAM_PI}, {-half, half}, {true, false}};
-  lam_domain diagonals = {{-half / 2, half / 2}, {-half / 2, half / 2}, {false, false}};
+  double reach = fmin(half, .95 * LAM_PI) / 2;
+  lam_domain diagonals = {{-reach, reach}, {-reach, reach}, {false, false}};
   return chart != LAM_CHART_ASYMPTOTIC &&
          lam_domain_give(chart == LAM_CHART_DIAGONAL ? diagonals : rings, p, q, closed);
 }

@@ -38,7 +38,7 @@ static const lam_measure *measured_enlarged(net_fixture *f, double factor) {
   lam_net net = net_built(f, &mesh);
   lam_measuring in = lam_measuring_of(f->arena, &net, mesh.vertices);
   in.reference = tree, in.reference_mesh = &reference;
-  in.axis = axis, in.start = start.vertices;
+  in.axis = axis, in.start = start.vertices, in.coverage = .5;
 
   lam_measure *all = LAM_NEW(f->arena, lam_measure, lam_measure_count);
   for (int i = 0; i < lam_measure_count; i++) {

@@ -169,12 +169,13 @@ static void curvature_lines_of_the_ellipsoid(void **state) {
   }
 }
 
+static lam_traced reached; /* by the last net that was traced */
 static lam_mesh traced(net_fixture *f, const char *name, const char *keys, lam_chart chart, int n,
                        int m, int hole, lam_trace_options options, lam_placement_keys placing) {
   lam_surface surface = surface_of(f, name, keys);
   lam_mesh mesh = {0};
   lam_trace_net(f->arena, &surface, chart, (int[2]){n, m}, hole, &options, &placing,
-                (lam_location){0}, &f->errors, &mesh);
+                (lam_location){0}, &f->errors, &mesh, &reached);
   return mesh;
 }
 
@@ -347,6 +348,38 @@ static void geodesic_coordinates(void **state) {
     }
 }
 
+/* Lines that reach every corner cover everything. On the square [-1, 1]^2 of a plane, circles of
+ * radius r/8 around the middle, the first left out, cover pi (1 - 1/64) / 4 of it; twelve of a
+ * hundred cells in the middle .12; the largest rectangle along the diagonals has half the area, and the seeds of
+ * its lines come to within a twelfth of its sides. */
+static void coverage_of_the_square(void **state) {
+  net_fixture *f = *state;
+  lam_placement_keys square = {.u = {-1, 1}, .v = {-1, 1}, .u_given = true, .v_given = true};
+  const char *plane = "{x2: 0, xy: 0, y2: 0}", *bowl = "{x2: 1e-3, y2: 2e-3}";
+  traced(f, "monge", plane, LAM_CHART_NATURAL, 10, 10, 0, (lam_trace_options){0}, square);
+  net_no_errors(f, "natural");
+  assert_near(reached.coverage, 1, 1e-12);
+  assert_int_equal(reached.cells[0], 10);
+
+  traced(f, "monge", plane, LAM_CHART_GEODESIC_POLAR, 8, 64, 0, (lam_trace_options){0}, square);
+  net_no_errors(f, "polar");
+  assert_near(reached.coverage, net_pi * (1 - 1. / 64) / 4, .01);
+
+  traced(f, "monge", plane, LAM_CHART_NATURAL, 4, 3, 0, (lam_trace_options){.spacing = .2}, square);
+  net_no_errors(f, "spacing");
+  assert_near(reached.coverage, .12, .01);
+  assert_true(reached.cells[0] == 4 && reached.cells[1] == 3);
+
+  traced(f, "monge", plane, LAM_CHART_NATURAL, 40, 3, 0, (lam_trace_options){.spacing = .2},
+         square);
+  assert_true(reached.cells[0] == 10 && reached.cells[1] == 3);
+
+  /* Diagonals of a bowl so shallow that it is a square: the middle is the best place to begin. */
+  traced(f, "monge", bowl, LAM_CHART_DIAGONAL, 10, 10, 0, (lam_trace_options){0}, square);
+  net_no_errors(f, "diagonal");
+  assert_true(reached.coverage > .5 * 11 / 12 && reached.coverage < .51);
+}
+
 /* Every wrong wish says what is wrong, and where lines would be. */
 static void what_cannot_be_traced(void **state) {
   net_fixture *f = *state;
@@ -391,6 +424,7 @@ int main(void) {
       NET_TEST(traced_principal_nets_are_orthogonal_and_close),
       NET_TEST(spacing_is_kept),
       NET_TEST(geodesic_coordinates),
+      NET_TEST(coverage_of_the_square),
       NET_TEST(what_cannot_be_traced),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# What a build says of its own results is true: of nets without equations, of traced nets that leave much bare or would lie on
+# themselves. Expected numbers are those of hand counts on the inputs in tests/cases/verdicts.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+lamella=$(realpath -m "${LAMELLA:-build/lamella}")
+cases=tests/cases/verdicts
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0 failed=0
+check() { # words, command...
+  local words=$1
+  shift
+  count=$((count + 1))
+  if "$@" >"$work/log" 2>&1; then echo "ok $count - $words"; else echo "not ok $count - $words"; sed 's/^/# /' "$work/log"; failed=1; fi
+}
+# build NAME ARGUMENTS: leaves $work/NAME.out, $work/NAME.err and status.
+build() {
+  local name=$1
+  shift
+  "$lamella" build "$cases/$name.yaml" -o "$work/$name" --only report "$@" >"$work/$name.out" 2>"$work/$name.err"
+  status=$?
+}
+# measure NAME STAGE MEASURE FIELD: a number of its report
+measure() {
+  perl -MJSON::PP -e 'local $/; my ($file, $stage, $name, $field) = @ARGV; open my $f, "<", $file or die; my $r = decode_json(<$f>);
+    for my $s (@{$r->{stages}}) { print $s->{measures}{$name}{$field} if index($s->{stage}, $stage) == 0 }' "$work/$1/report.json" "$2" "$3" "$4"
+}
+within() { perl -e 'exit !($ARGV[0] ne "" && $ARGV[0] >= $ARGV[1] && $ARGV[0] <= $ARGV[2])' "$@" || { echo "$1 is not in [$2, $3]"; return 1; }; }
+
+# Sixteen quads, each with its own vertices: no star, so that nothing is asymptotic.
+build soup
+check "a soup of quads does not converge" [ $status = 1 ]
+check "because there is nothing to solve" grep -q "NOT CONVERGED: nothing to solve: star_planarity" "$work/soup.out"
+
+# Hills with umbilics: principal lines around the middle reach less than a quarter.
+build w1
+check "a net that leaves much of its surface bare converges" [ $status = 0 ]
+check "it measures how much it covers" within "$(measure w1 net coverage max)" .1 .4
+check "and says so" grep -qE "the net covers [0-9]+ % of the surface" "$work/w1.out"
+build w1 --set 'net.from={lines: natural}'
+check "parameter lines are not traced, and have no coverage" [ -z "$(measure w1 net coverage max)" ]
+
+# Lines that go around a hill came back onto themselves: 42 faces over others.
+build w2 --set net.grid=[12,12]
+check "lines end where others are laid already" [ $status = 0 ]
+check "so that no face lies on another" within "$(measure w2 net overlaps max)" 0 0
+
+# The area falls by a billionth per step for ever, and by a hundred thousandth with finer knots.
+build wavy-film
+check "a film that is stationary to less than its knots allow converges" [ $status = 0 ]
+check "and the report estimates how far above the least area it is" \
+  within "$(measure wavy-film surface area_excess mean)" 1e-4 2e-3
+
+echo "1..$count"
+exit $failed
