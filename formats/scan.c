@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { longest_number = 63, most_errors = 20, longest_shown = 40 };
+enum { longest_number = 63, longest_shown = 40 };
 
 static void free_locale(void *handle) { freelocale((locale_t)handle); }
 
@@ -94,6 +94,6 @@ bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point) {
 }
 
 bool lam_scan_gave_up(const lam_scan *scan) {
-  return scan->errors->count - scan->errors_before >= most_errors;
+  return scan->errors->count - scan->errors_before >= LAM_MOST_MESSAGES;
 }
 bool lam_scan_failed(const lam_scan *scan) { return scan->errors->count > scan->errors_before; }
