@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { longest_number = 63, most_errors = 20, longest_shown = 40 };
+enum { longest_number = 63, longest_shown = 40 };
 
 int lam_utf8_mark(const char *bytes, size_t count) {
   return count >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
@@ -159,6 +159,6 @@ bool lam_scan_point(lam_scan *scan, const char *what, lam_vec3 *point) {
 }
 
 bool lam_scan_gave_up(const lam_scan *scan) {
-  return scan->errors->count - scan->errors_before >= most_errors;
+  return scan->errors->count - scan->errors_before >= LAM_MOST_MESSAGES;
 }
 bool lam_scan_failed(const lam_scan *scan) { return scan->errors->count > scan->errors_before; }

@@ -20,9 +20,23 @@ static void append(lam_errors *errors, lam_error *error) {
   errors->count++;
 }
 
+/* Counts a message that is one too many, and says so once. */
+static void leave_out(lam_errors *errors) {
+  if (errors->count++ > LAM_MOST_MESSAGES) return; /* said already */
+  lam_error *last = LAM_NEW(errors->arena, lam_error, 1);
+  last->text = "more messages are left out";
+  errors->last->next = last;
+  errors->last = last;
+}
+
 /* Formats the message and appends it with copies of all its texts. */
 void lam_error_add(lam_errors *errors, lam_location location, const char *key, const char *format,
                    ...) {
+  if (errors->count >= LAM_MOST_MESSAGES) {
+    leave_out(errors);
+    return;
+  }
+
   /* A first pass measures the text, a second one writes it. */
   va_list arguments, again;
   va_start(arguments, format);

@@ -7,10 +7,13 @@
 #include "core/arena.h"
 #include <lamella/error.h>
 
+/* So many messages are kept: nobody reads more, and an input could make millions. */
+enum { LAM_MOST_MESSAGES = 20 };
+
 /* Begins zeroed but for arena. */
 typedef struct lam_errors {
   lam_arena *arena; /* owns the messages */
-  int count;
+  int count;        /* of all that were added; LAM_MOST_MESSAGES are kept, and one that says so */
   lam_error *first, *last; /* NULL while there are none */
   lam_status status; /* of a failure that is not the input's fault (LAM_IO, ...); LAM_OK: none */
 } lam_errors;

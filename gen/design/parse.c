@@ -88,9 +88,11 @@ static void check_stages(const lam_filler *filler, const lam_node *root, const l
 }
 
 /* True when a message is about the value of key or about one inside it: "net", "net.grid", "net[0]"
- * (strchr finds the end of a text too). */
+ * (strchr finds the end of a text too); and when there are so many that it may have been left
+ * out. */
 static bool has_message(const lam_errors *errors, const char *key) {
   size_t length = strlen(key);
+  if (errors->count > LAM_MOST_MESSAGES) return true;
   for (const lam_error *error = errors->first; error; error = error->next) {
     if (error->key && strncmp(error->key, key, length) == 0 && strchr(".[", error->key[length]))
       return true;

@@ -28,7 +28,8 @@ enum {
   LAM_DESIGN_MAX_BYTES = 4 << 20,
   LAM_DESIGN_MAX_NODES = 500000,
   LAM_DESIGN_MAX_DEPTH = 32,
-  LAM_DESIGN_MAX_KEYS = 1000 /* of one map */
+  LAM_DESIGN_MAX_KEYS = 1000, /* of one map */
+  LAM_DESIGN_MAX_ANCHORS = 1000
 };
 
 /* ---- reading (yaml.c) ---- */

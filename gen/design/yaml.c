@@ -1,5 +1,7 @@
-/* YAML into the document tree, through libyaml; nothing of libyaml outlives the call. Called by
- * parse.c for designs, by override.c for their values, by fill.c for defaults. */
+/* YAML into the document tree, through libyaml's events: limits hold while it is read, and no file
+ * can make libyaml itself work for long. Nothing of libyaml outlives the call. Called by parse.c
+ * for designs, by override.c for their values, by fill.c for defaults. */
+#include "core/grow.h"
 #include "design/tree.h"
 #include <string.h>
 #include <yaml.h>
@@ -8,9 +10,16 @@
  * the way. */
 typedef struct yaml_source {
   yaml_parser_t parser;
-  yaml_document_t document;
-  bool parser_open, document_open;
+  yaml_event_t event; /* the one that is read */
+  bool parser_open, event_open;
 } yaml_source;
+
+/* A name for a value. */
+typedef struct anchor {
+  const char *name;
+  const lam_node *node;
+  bool open; /* the value is being read */
+} anchor;
 
 /* One reading: what all steps need. */
 typedef struct yaml_reader {
@@ -19,16 +28,20 @@ typedef struct yaml_reader {
   lam_location origin;
   bool fixed;     /* every node has the location origin */
   int node_count; /* so far, aliases expanded */
-  bool stopped;   /* a limit was reached: said once */
-  yaml_document_t *document;
+  bool stopped;   /* a limit was reached, or the text is no YAML: said once */
+  yaml_source *source;
+  const char *bytes; /* of the text, for marks */
+  size_t count;
+  int anchor_count, anchor_capacity;
+  anchor *anchors;
 } yaml_reader;
 
 /* Closes what is open, once: the arena calls it again when it is released. */
 static void close_source(void *handle) {
   yaml_source *source = handle;
-  if (source->document_open) yaml_document_delete(&source->document);
+  if (source->event_open) yaml_event_delete(&source->event);
   if (source->parser_open) yaml_parser_delete(&source->parser);
-  source->document_open = source->parser_open = false;
+  source->event_open = source->parser_open = false;
 }
 
 /* libyaml counts from 0, locations from 1. */
@@ -56,8 +69,6 @@ static const char *const plain_words[][2] = {
      "expected '- ' to go on with the list at this indentation"},
     {"did not find expected node content", "a value is missing"},
     {"found unexpected end of stream", "the file ends inside a text; the closing quote is missing"},
-    {"found undefined alias", "an alias (*name) without its anchor (&name)"},
-    {"found duplicate anchor", "an anchor (&name) is given twice"},
     {"control characters are not allowed", "a control character in the file"},
     {"invalid leading UTF-8 octet", "bytes that are not UTF-8"},
     {"invalid trailing UTF-8 octet", "bytes that are not UTF-8"},
@@ -87,12 +98,13 @@ static yaml_mark_t mark_of_byte(const char *bytes, size_t count, size_t offset) 
 
 /* Adds a message about the problem that the parser stopped at; memory that ran out is none, and
  * jumps to the run's recovery point. */
-static void report_syntax(const yaml_reader *reader, const yaml_parser_t *parser, const char *bytes,
-                          size_t count) {
+static void report_syntax(const yaml_reader *reader) {
+  const yaml_parser_t *parser = &reader->source->parser;
   if (parser->error == YAML_MEMORY_ERROR) lam_arena_exhausted(reader->arena);
 
   yaml_mark_t mark = parser->problem_mark;
-  if (parser->error == YAML_READER_ERROR) mark = mark_of_byte(bytes, count, parser->problem_offset);
+  if (parser->error == YAML_READER_ERROR)
+    mark = mark_of_byte(reader->bytes, reader->count, parser->problem_offset);
   const char *words = own_words(parser->problem);
 
   /* What is not closed shows far below: a list, map or quoted text is told with where it opens. */
@@ -108,160 +120,227 @@ static void report_syntax(const yaml_reader *reader, const yaml_parser_t *parser
   }
 }
 
-/* ---- nodes ---- */
-
-static lam_node *read_node(yaml_reader *reader, int id, int depth);
-
-/* A limit is reached: says so once, and makes all steps return. */
+/* A limit is reached, or the text is wrong: says so once, and makes all steps return. */
 static lam_node *stop(yaml_reader *reader, lam_location location, const char *text) {
   if (!reader->stopped) lam_error_add(reader->errors, location, NULL, "%s", text);
   reader->stopped = true;
   return NULL;
 }
 
-/* Fills a list with its items, until a limit is reached. */
-static void read_list(yaml_reader *reader, const yaml_node_t *source, int depth, lam_node *node) {
-  for (yaml_node_item_t *item = source->data.sequence.items.start;
-       item < source->data.sequence.items.top; item++) {
-    lam_node *value = read_node(reader, *item, depth + 1);
-    if (reader->stopped) return;
-    if (value) lam_node_append(reader->arena, node, NULL, value);
-  }
+/* Goes to the next event. False, with a message, when there is none. */
+static bool next_event(yaml_reader *reader) {
+  yaml_source *source = reader->source;
+  if (source->event_open) yaml_event_delete(&source->event);
+  source->event_open = yaml_parser_parse(&source->parser, &source->event);
+  if (source->event_open) return true;
+
+  report_syntax(reader);
+  reader->stopped = true;
+  return false;
 }
 
-/* Appends a key and its value to a map. A key must be a word. */
-static void read_pair(yaml_reader *reader, const yaml_node_pair_t *pair, int depth,
-                      lam_node *node) {
-  lam_node *key = read_node(reader, pair->key, depth + 1);
-  lam_node *value = reader->stopped ? NULL : read_node(reader, pair->value, depth + 1);
-  if (!key || !value) return;
-  if (key->type != LAM_NODE_SCALAR || key->text[0] == '\0') {
-    lam_error_add(reader->errors, key->location, NULL,
-                  "a key that is not a word; expected 'key: value'");
+/* ---- nodes ---- */
+
+/* Counts a node. False, with a message, when a limit is reached. */
+static bool admit(yaml_reader *reader, lam_location location, int depth) {
+  if (depth > LAM_DESIGN_MAX_DEPTH)
+    stop(reader, location, "maps and lists are nested more than 32 deep");
+  else if (++reader->node_count > LAM_DESIGN_MAX_NODES)
+    stop(reader, location, "more than 500000 values");
+  return !reader->stopped;
+}
+
+/* ---- anchors and aliases ---- */
+
+/* The anchor of this name, or NULL. */
+static anchor *find_anchor(const yaml_reader *reader, const char *name) {
+  for (int i = 0; i < reader->anchor_count; i++)
+    if (strcmp(reader->anchors[i].name, name) == 0) return &reader->anchors[i];
+  return NULL;
+}
+
+/* Gives a node a name; does nothing without a name (NULL). Returns the number of the anchor, or
+ * -1. */
+static int add_anchor(yaml_reader *reader, const yaml_char_t *text, const lam_node *node) {
+  const char *name = (const char *)text;
+  if (!name) return -1;
+  if (find_anchor(reader, name)) {
+    stop(reader, node->location, "not valid YAML: an anchor (&name) is given twice");
+  } else if (reader->anchor_count == LAM_DESIGN_MAX_ANCHORS) {
+    stop(reader, node->location, "more than 1000 anchors (&name)");
   } else {
-    lam_node_append(reader->arena, node, key, value);
+    const anchor added = {lam_arena_copy(reader->arena, name), node, true};
+    LAM_APPEND(reader->arena, reader->anchors, reader->anchor_count, reader->anchor_capacity,
+               added);
+    return reader->anchor_count - 1;
+  }
+  return -1;
+}
+
+/* A copy of a node with all below it: every node has one parent. Limits hold for copies too. */
+static lam_node *copy_node(yaml_reader *reader, const lam_node *from, int depth) {
+  if (!admit(reader, from->location, depth)) return NULL;
+  lam_node *node = lam_node_new(reader->arena, from->type, from->location);
+  node->text = from->text;
+  node->plain = from->plain;
+  for (int i = 0; i < from->count && !reader->stopped; i++) {
+    lam_node *key = from->type == LAM_NODE_MAP ? copy_node(reader, from->keys[i], depth + 1) : NULL;
+    lam_node *item = reader->stopped ? NULL : copy_node(reader, from->items[i], depth + 1);
+    if (item) lam_node_append(reader->arena, node, key, item);
+  }
+  return node;
+}
+
+/* What the alias of the current event stands for. */
+static lam_node *read_alias(yaml_reader *reader, lam_location location, int depth) {
+  const anchor *a = find_anchor(reader, (const char *)reader->source->event.data.alias.anchor);
+  if (!a)
+    return stop(reader, location, "not valid YAML: an alias (*name) without its anchor (&name)");
+  if (a->open) return stop(reader, location, "an alias (*name) inside what it stands for");
+  return copy_node(reader, a->node, depth);
+}
+
+/* ---- values ---- */
+
+static lam_node *read_node(yaml_reader *reader, int depth);
+
+/* Fills a list with its items up to its end event, or until a limit is reached. */
+static void read_list(yaml_reader *reader, int depth, lam_node *node) {
+  while (next_event(reader) && reader->source->event.type != YAML_SEQUENCE_END_EVENT) {
+    lam_node *value = read_node(reader, depth + 1);
+    if (reader->stopped) return;
+    lam_node_append(reader->arena, node, NULL, value);
   }
 }
 
-/* Fills a map with its pairs, until a limit is reached. */
-static void read_map(yaml_reader *reader, const yaml_node_t *source, int depth, lam_node *node) {
-  for (yaml_node_pair_t *pair = source->data.mapping.pairs.start;
-       pair < source->data.mapping.pairs.top; pair++) {
+/* Fills a map with its pairs up to its end event, or until a limit is reached. A key must be a
+ * word. */
+static void read_map(yaml_reader *reader, int depth, lam_node *node) {
+  while (next_event(reader) && reader->source->event.type != YAML_MAPPING_END_EVENT) {
     if (node->count == LAM_DESIGN_MAX_KEYS) {
       stop(reader, node->location, "a map with more than 1000 keys");
       return;
     }
-    read_pair(reader, pair, depth, node);
-    if (reader->stopped) return;
+
+    lam_node *key = read_node(reader, depth + 1);
+    lam_node *value = key && next_event(reader) ? read_node(reader, depth + 1) : NULL;
+    if (!value) return;
+    if (key->type != LAM_NODE_SCALAR || key->text[0] == '\0')
+      lam_error_add(reader->errors, key->location, NULL,
+                    "a key that is not a word; expected 'key: value'");
+    else
+      lam_node_append(reader->arena, node, key, value);
   }
 }
 
-/* Fills a scalar. A zero byte would end its text early, and is a mistake. */
-static void read_scalar(yaml_reader *reader, const yaml_node_t *source, lam_node *node) {
-  const char *value = (const char *)source->data.scalar.value;
-  node->plain = source->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+/* Fills a scalar from the current event. A zero byte would end its text early, and is a mistake. */
+static void read_scalar(yaml_reader *reader, lam_node *node) {
+  const yaml_event_t *event = &reader->source->event;
+  const char *value = (const char *)event->data.scalar.value;
+  node->plain = event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
   node->text = lam_arena_copy(reader->arena, value);
-  if (strlen(value) != source->data.scalar.length) {
+  if (strlen(value) != event->data.scalar.length)
     lam_error_add(reader->errors, node->location, NULL, "a zero byte in a text");
-  }
 }
 
-/* The tag that libyaml gives to nodes without one. */
-static const char *default_tag(yaml_node_type_t type) {
-  if (type == YAML_SEQUENCE_NODE) return YAML_DEFAULT_SEQUENCE_TAG;
-  return type == YAML_MAPPING_NODE ? YAML_DEFAULT_MAPPING_TAG : YAML_DEFAULT_SCALAR_TAG;
+/* What an event says of the node that begins with it. */
+typedef struct beginning {
+  lam_node_type type;
+  const yaml_char_t *anchor, *tag; /* NULL: none */
+  const char *default_tag;         /* what a tag may say without changing anything */
+} beginning;
+
+static beginning begin_node(const yaml_event_t *e) {
+  if (e->type == YAML_SEQUENCE_START_EVENT)
+    return (beginning){LAM_NODE_LIST, e->data.sequence_start.anchor, e->data.sequence_start.tag,
+                       YAML_DEFAULT_SEQUENCE_TAG};
+  if (e->type == YAML_MAPPING_START_EVENT)
+    return (beginning){LAM_NODE_MAP, e->data.mapping_start.anchor, e->data.mapping_start.tag,
+                       YAML_DEFAULT_MAPPING_TAG};
+  return (beginning){LAM_NODE_SCALAR, e->data.scalar.anchor, e->data.scalar.tag,
+                     YAML_DEFAULT_SCALAR_TAG};
 }
 
-/* The node with this number in libyaml's document, with all below it. An alias is the number of its
- * anchor: the nodes are read again, and the limits end what an alias within itself would repeat
- * without end. NULL when a limit is reached, with a message. */
-static lam_node *read_node(yaml_reader *reader, int id, int depth) {
-  const yaml_node_t *source = yaml_document_get_node(reader->document, id);
-  lam_location location = location_of(reader, source->start_mark);
-  if (depth > LAM_DESIGN_MAX_DEPTH)
-    return stop(reader, location, "maps and lists are nested more than 32 deep");
-  if (++reader->node_count > LAM_DESIGN_MAX_NODES)
-    return stop(reader, location, "more than 500000 values");
+/* The node that begins with the current event, with all below it. NULL when a limit is reached or
+ * the text is wrong, with a message. */
+static lam_node *read_node(yaml_reader *reader, int depth) {
+  const yaml_event_t *event = &reader->source->event;
+  lam_location location = location_of(reader, event->start_mark);
+  if (event->type == YAML_ALIAS_EVENT) return read_alias(reader, location, depth);
+  if (!admit(reader, location, depth)) return NULL;
 
-  if (source->tag && strcmp((const char *)source->tag, default_tag(source->type)) != 0) {
+  beginning b = begin_node(event);
+  const char *tag = (const char *)b.tag;
+  if (tag && strcmp(tag, "!") != 0 && strcmp(tag, b.default_tag) != 0)
     lam_error_add(reader->errors, location, NULL,
                   "a YAML tag (!...); expected a value without a tag");
-  }
 
-  switch (source->type) {
-  case YAML_SCALAR_NODE: {
-    lam_node *node = lam_node_new(reader->arena, LAM_NODE_SCALAR, location);
-    read_scalar(reader, source, node);
-    return node;
-  }
-  case YAML_SEQUENCE_NODE: {
-    lam_node *node = lam_node_new(reader->arena, LAM_NODE_LIST, location);
-    read_list(reader, source, depth, node);
-    return node;
-  }
-  case YAML_MAPPING_NODE: {
-    lam_node *node = lam_node_new(reader->arena, LAM_NODE_MAP, location);
-    read_map(reader, source, depth, node);
-    return node;
-  }
-  default:
-    return NULL;
-  }
+  /* The event is gone when the next one is read. */
+  lam_node *node = lam_node_new(reader->arena, b.type, location);
+  int named = add_anchor(reader, b.anchor, node);
+  if (reader->stopped) return NULL;
+  if (b.type == LAM_NODE_SCALAR) read_scalar(reader, node);
+  if (b.type == LAM_NODE_LIST) read_list(reader, depth, node);
+  if (b.type == LAM_NODE_MAP) read_map(reader, depth, node);
+  if (named >= 0) reader->anchors[named].open = false;
+  return reader->stopped ? NULL : node;
 }
 
 /* ---- documents ---- */
 
-/* False, with a message, when anything but the end follows the first document: a second one, or
- * what is no YAML. */
-static bool at_end(const yaml_reader *reader, yaml_source *source, const char *bytes,
-                   size_t count) {
-  yaml_document_t next;
-  if (!yaml_parser_load(&source->parser, &next)) {
-    report_syntax(reader, &source->parser, bytes, count);
-    return false;
-  }
+/* The root of the first document, with nothing behind it; NULL when the text is empty or, with a
+ * message, wrong. The first event begins the text, the next one the document. */
+static lam_node *read_document(yaml_reader *reader) {
+  const yaml_event_t *event = &reader->source->event;
+  if (!next_event(reader) || !next_event(reader)) return NULL;
+  if (event->type == YAML_STREAM_END_EVENT || !next_event(reader)) return NULL;
 
-  const yaml_node_t *root = yaml_document_get_root_node(&next);
-  if (root) {
-    lam_error_add(reader->errors, location_of(reader, next.start_mark), NULL,
-                  "a second document (---); expected one design per file");
-  }
-  yaml_document_delete(&next);
-  return !root;
+  lam_node *root = read_node(reader, 0);
+  if (!root || !next_event(reader) || !next_event(reader)) return NULL;
+  if (event->type != YAML_STREAM_END_EVENT)
+    return stop(reader, location_of(reader, event->start_mark),
+                "a second document (---); expected one design per file");
+  return root;
 }
 
-/* The root of the first document of the source; NULL when it is empty or, with a message, wrong. */
-static lam_node *read_document(yaml_reader *reader, yaml_source *source, const char *bytes,
-                               size_t count) {
-  if (!yaml_parser_load(&source->parser, &source->document)) {
-    report_syntax(reader, &source->parser, bytes, count);
-    return NULL;
+/* Whether there are more %TAG lines than anybody needs: libyaml compares each with all before. */
+static bool has_many_directives(const char *bytes, size_t count) {
+  int found = 0;
+  for (const char *at = bytes; at; at = memchr(at, '\n', count - (size_t)(at - bytes))) {
+    at += at != bytes;
+    if (count - (size_t)(at - bytes) > 4 && memcmp(at, "%TAG", 4) == 0) found++;
   }
-
-  source->document_open = true;
-  reader->document = &source->document;
-  if (!yaml_document_get_root_node(&source->document)) return NULL;
-  if (!at_end(reader, source, bytes, count)) return NULL;
-  return read_node(reader, 1, 0); /* libyaml's root is node 1 */
+  return found > 16;
 }
 
 /* libyaml's memory is deferred to the arena, so that a jump does not lose it. */
 lam_node *lam_tree_read(lam_arena *arena, const char *bytes, size_t count, lam_location origin,
                         bool fixed, lam_errors *errors) {
-  yaml_reader reader = {.arena = arena, .errors = errors, .origin = origin, .fixed = fixed};
   if (count > LAM_DESIGN_MAX_BYTES) {
     lam_error_add(errors, origin, NULL, "%zu bytes; expected at most 4 MiB", count);
     return NULL;
   }
+  if (!bytes) bytes = "";
+  if (has_many_directives(bytes, count)) {
+    lam_error_add(errors, origin, NULL, "more than 16 %%TAG lines");
+    return NULL;
+  }
 
   yaml_source *source = LAM_NEW(arena, yaml_source, 1);
+  yaml_reader reader = {.arena = arena,
+                        .errors = errors,
+                        .origin = origin,
+                        .fixed = fixed,
+                        .source = source,
+                        .bytes = bytes,
+                        .count = count};
   lam_arena_defer(arena, close_source, source);
   if (!yaml_parser_initialize(&source->parser)) lam_arena_exhausted(arena);
   source->parser_open = true;
-  yaml_parser_set_input_string(&source->parser, (const unsigned char *)(bytes ? bytes : ""), count);
+  yaml_parser_set_input_string(&source->parser, (const unsigned char *)bytes, count);
 
   /* What was read before a limit was reached is of no use. */
-  lam_node *root = read_document(&reader, source, bytes, count);
+  lam_node *root = read_document(&reader);
   close_source(source);
   return reader.stopped ? NULL : root;
 }

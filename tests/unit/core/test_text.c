@@ -191,6 +191,19 @@ static void messages_keep_their_order_and_are_one_line(void **state) {
 
 /* Edits: put in, left out, replaced, swapped with the neighbor; as many as a third of the name,
  * rounded up. The beginning of a name, from three letters on, is a guess too. */
+/* Counted are all; the first 20 are kept, and one line for the others. */
+static void messages_have_an_end(void **state) {
+  lam_errors errors = {.arena = *state};
+  int kept = 0;
+  for (int i = 0; i < 16001; i++) lam_error_add(&errors, (lam_location){0}, NULL, "number %d", i);
+  for (const lam_error *e = errors.first; e; e = e->next) kept++;
+  assert_int_equal(errors.count, 16001);
+  assert_int_equal(kept, 21);
+  assert_string_equal(errors.first->text, "number 0");
+  assert_string_equal(errors.last->text, "more messages are left out");
+  assert_null(errors.last->next);
+}
+
 static void guesses_at_names(void **state) {
   (void)state;
   static const char *const names[] = {"enneper", "helicoid", "torus", "sphere", "asymptotic", NULL};
@@ -380,6 +393,7 @@ int main(void) {
       TEST(arrays_keep_their_items),
       TEST(marks_release_what_came_after),
       TEST(messages_keep_their_order_and_are_one_line),
+      TEST(messages_have_an_end),
       TEST(guesses_at_names),
       TEST(files_are_read_up_to_their_limit),
       TEST(pipes_are_read_to_their_end),

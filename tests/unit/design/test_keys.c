@@ -7,6 +7,8 @@
 #include "tests/unit/key_fixture.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <time.h>
 
 /* ---- a small language for the tests ---- */
 
@@ -433,7 +435,36 @@ static void no_file_grows_without_end(void **state) {
   for (int i = 1; i < 30; i++)
     lam_text_printf(&yaml, "a%d: &a%d [*a%d, *a%d]\n", i, i, i - 1, i - 1);
   expect_bad(r, yaml.data, "1:10: more than 500000 values\n");
-  expect_bad(r, "a: &a [*a]", "1:4: maps and lists are nested more than 32 deep\n");
+  expect_bad(r, "a: &a [*a]", "1:8: an alias (*name) inside what it stands for\n");
+  expect_bad(r, "a: &a 1\nb: &a 2\n", "2:4: not valid YAML: an anchor (&name) is given twice\n");
+}
+
+/* Seconds of processor time that refusing a text takes. */
+static double refuse(run *r, const char *unit, int times, const char *expected) {
+  lam_text yaml = {.arena = r->arena};
+  for (int i = 0; i < times; i++) lam_text_printf(&yaml, unit, i, i);
+  clock_t start = clock();
+  expect_bad(r, yaml.data, expected);
+  return (double)(clock() - start) / CLOCKS_PER_SEC;
+}
+
+/* Texts on which libyaml works with the square of their length, or builds millions of nodes, when
+ * it is let read to the end (20 s and more): refused by the limits while they are read. Each takes
+ * some hundredths of a second; 2 s are for slow machines. */
+static void no_text_takes_long(void **state) {
+  run *r = *state;
+  static const char deep[] = "maps and lists are nested more than 32 deep\n";
+  char expected[100];
+  double seconds = 0;
+  snprintf(expected, sizeof expected, "1:34: %s", deep);
+  seconds += refuse(r, "[", 1000000, expected);
+  seconds += refuse(r, "{", 1000000, "1:34: maps and lists are nested more than 32 deep\n");
+  snprintf(expected, sizeof expected, "1:67: %s", deep);
+  seconds += refuse(r, "? ", 2000000, expected);
+  seconds += refuse(r, "- ", 2000000, expected);
+  seconds += refuse(r, "- &a%d x\n", 200000, "1001:3: more than 1000 anchors (&name)\n");
+  seconds += refuse(r, "%%TAG !a%d! b\n", 200000, "house.yaml: more than 16 %TAG lines\n");
+  if (seconds > 2) fail_msg("%.1f s for six texts that are refused", seconds);
 }
 
 int main(void) {
@@ -456,6 +487,7 @@ int main(void) {
       TEST(texts_are_one_line),
       TEST(broken_yaml_is_one_message),
       TEST(no_file_grows_without_end),
+      TEST(no_text_takes_long),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
