@@ -48,7 +48,12 @@ static subject subject_of(net_fixture *f, int net, const lam_constraint_kind *ki
   lam_arena_defer(f->arena, lam_tree_free, tree);
   lam_trimesh *reference = LAM_NEW(f->arena, lam_trimesh, 1);
   *reference = s.reference;
-  lam_scope scope = {s.problem, &s.net, unit, tree, reference, &f->errors, 0};
+  lam_scope scope = {.problem = s.problem,
+                     .net = &s.net,
+                     .unit = unit,
+                     .reference = tree,
+                     .reference_mesh = reference,
+                     .errors = &f->errors};
   void *params = net_params(f, kind->head.keys, kind->head.params_size, keys);
   kind->add(&scope, params, 1, (lam_location){0});
   net_no_errors(f, kind->head.name);
