@@ -122,7 +122,7 @@ demo: setup-demo
 	 for d in parts sheets; do echo "  $$d/: $$(ls $$d | wc -l) files, $$(ls $$d | head -n 1) ..."; done
 build/demo/report.json: templates/designs/asymptotic-pavilion.yaml build/lamella
 	@rm -rf build/demo && mkdir -p build/demo
-	build/lamella build $< -o build/demo --deps build/demo.d --set render.quality=middle >build/demo.txt || { cat build/demo.txt; exit 1; }
+	build/lamella build $< -o build/demo --deps build/demo.d --picture middle >build/demo.txt || { cat build/demo.txt; exit 1; }
 -include build/demo.d
 
 # ---- pictures for the README: minutes each for the large ones, less than one for all others ----
@@ -143,7 +143,7 @@ renders/gallery/%.jpg: build/models/%/report.json
 	@echo "  render $*"
 	@mkdir -p $(@D)
 	@build/lamella build templates/designs/$*.yaml -o build/models/$* --only pov,png --quiet \
-	  $(if $(filter $*,$(large)),,--set render.quality=thumb --set 'render.size=[640,360]')
+	  $(if $(filter $*,$(large)),--picture final,--picture thumb --set 'render.size=[640,360]')
 	@pngtopnm build/models/$*/$*.png | cjpeg -quality 88 -optimize >$@.part && mv $@.part $@
 
 # ---- tests ----

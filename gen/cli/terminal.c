@@ -2,10 +2,24 @@
 #include "cli/terminal.h"
 
 #include <stdio.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 enum { bar_width = 20, refresh_ms = 80 };
+static const double soon = 3; /* seconds of a stage, before which nothing is said of the time left */
+
+/* The time left of a stage, judged by what is done: ", about 40 s left"; empty while nothing can be
+ * said. */
+static void say_time_left(char *text, size_t size, double spent, double fraction) {
+  text[0] = 0;
+  if (fraction <= 0 || spent < soon) return;
+  double left = spent * (1 - fraction) / fraction;
+  if (left < 90)
+    snprintf(text, size, ", about %.0f s left", left);
+  else
+    snprintf(text, size, ", about %.0f min left", left / 60);
+}
 
 /* Seconds since some moment in the past: only differences mean something. */
 static double now(void) {
@@ -24,15 +38,21 @@ static void tell(void *context, const char *stage, double fraction, const char *
   }
 
   double time = now();
-  if (stage == t->stage && time - t->told < refresh_ms * 1e-3) return;
-  t->stage = stage;
+  bool same = strcmp(stage, t->stage) == 0;
+  if (same && time - t->told < refresh_ms * 1e-3) return;
+  if (!same) {
+    snprintf(t->stage, sizeof t->stage, "%s", stage);
+    t->began = time;
+  }
   t->told = time;
 
   char bar[bar_width + 1];
   for (int i = 0; i < bar_width; i++)
     bar[i] = fraction >= 0 && i < fraction * bar_width ? '#' : '.';
   bar[bar_width] = 0;
-  fprintf(stderr, "\r\033[K%-16s [%s] %s", stage, bar, detail ? detail : "");
+  char left[40];
+  say_time_left(left, sizeof left, time - t->began, fraction);
+  fprintf(stderr, "\r\033[K%-16s [%s] %s%s", stage, bar, detail ? detail : "", left);
 }
 
 /* A progress without a function tells nobody. */

@@ -7,8 +7,9 @@
 
 /* What was told last. */
 typedef struct lam_terminal {
-  const char *stage; /* compared as a pointer, never read */
-  double told;       /* seconds: when it was told */
+  char stage[64]; /* cut when it is longer */
+  double began;   /* seconds: when its first fraction was told */
+  double told;    /* seconds: when it was told last */
 } lam_terminal;
 
 /* A progress for lam_session_set_progress. It keeps its state in terminal, which has to live as

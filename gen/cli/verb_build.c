@@ -11,11 +11,13 @@
 
 static const char usage[] =
     "usage: lamella build DESIGN.yaml [-o DIR] [--set KEY=VALUE]... [--only|--skip FORMAT,...] "
-    "[--deps FILE] [--quiet] [--timings]\n"
+    "[--picture QUALITY] [--deps FILE] [--quiet] [--timings]\n"
     "  -o DIR           the folder for the files (default: the design's name)\n"
     "  --set KEY=VALUE  overrides a key of the design, as in --set net.grid=[40,40]\n"
     "  --only FORMATS   writes only these formats (see lamella list formats); png brings pov\n"
     "  --skip FORMATS   writes all formats but these\n"
+    "  --picture QUALITY  of the picture, in place of render.quality: draft (seconds), middle,\n"
+    "                   final (minutes), print\n"
     "  --deps FILE      writes a make rule: what DIR/report.json was made from\n"
     "  --quiet          prints errors only\n"
     "  --timings        adds the seconds of every stage to the report";
@@ -67,7 +69,7 @@ static int build_design(lam_session *session, const lam_design *design, lam_writ
 
 /* Everything that is wrong with the request is said before anything is computed. */
 static int build(lam_session *session, int argc, char **argv) {
-  const char *overrides[argc], *path; /* no more overrides than arguments */
+  const char *overrides[argc], *path, *quality = NULL; /* no more overrides than arguments */
   bool quiet = false;
   lam_design_source source = {.overrides = overrides};
   lam_write_options options = {0};
@@ -75,6 +77,7 @@ static int build(lam_session *session, int argc, char **argv) {
                               {"--set", .values = overrides, .count = &source.override_count},
                               {"--only", .value = &options.only},
                               {"--skip", .value = &options.skip},
+                              {"--picture", .value = &quality},
                               {"--deps", .value = &options.deps},
                               {"--quiet", .flag = &quiet},
                               {"--timings", .flag = &options.timings},
@@ -82,6 +85,12 @@ static int build(lam_session *session, int argc, char **argv) {
   lam_arguments arguments = {usage, table, 1, 1, "a design file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &path, &count);
   if (status >= 0) return status;
+
+  char override[64];
+  if (quality) {
+    snprintf(override, sizeof override, "render.quality=%s", quality);
+    overrides[source.override_count++] = override;
+  }
 
   const lam_design *design;
   source.path = path;

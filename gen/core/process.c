@@ -174,7 +174,7 @@ static int milliseconds_until(double deadline) {
 }
 
 /* Collects what comes through the pipe until its end. False when the time is up. */
-static bool collect(int pipe_end, double deadline, lam_text *output) {
+static bool collect(const lam_process *process, int pipe_end, double deadline) {
   char bytes[4096];
   for (;;) {
     int wait_ms = milliseconds_until(deadline);
@@ -188,7 +188,8 @@ static bool collect(int pipe_end, double deadline, lam_text *output) {
     ssize_t count = read(pipe_end, bytes, sizeof bytes);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return true;
-    if (output) lam_text_bytes(output, bytes, (size_t)count);
+    if (process->output) lam_text_bytes(process->output, bytes, (size_t)count);
+    if (process->hear) process->hear(process->context, bytes, (size_t)count);
   }
 }
 
@@ -230,7 +231,7 @@ static lam_status attend(const lam_process *process, running *r, int *exit_code,
                          lam_errors *errors) {
   double deadline = process->timeout > 0 ? lam_clock_seconds() + process->timeout : 0;
   int status = 0;
-  if (!collect(r->pipe_end, deadline, process->output) || !wait_for(r->pid, deadline, &status)) {
+  if (!collect(process, r->pipe_end, deadline) || !wait_for(r->pid, deadline, &status)) {
     end_running(r);
     lam_error_add(errors, nowhere, NULL, "%s: stopped after %g s", process->arguments[0],
                   process->timeout);

@@ -17,6 +17,9 @@ typedef struct lam_process {
   const char *output_path;        /* file for stdout; NULL: collected in output */
   lam_text *output;               /* gets stdout (without output_path) and stderr, as they come;
                                    * NULL: dropped */
+  void (*hear)(void *context, const char *bytes, size_t count); /* called with what output gets,
+                                   * while the program runs; NULL: nobody listens */
+  void *context;                  /* handed to hear */
   double timeout;                 /* seconds, after which the program is killed; 0: none */
 } lam_process;
 

@@ -23,11 +23,11 @@ static const lam_key render_keys[] = {
                     "Width and height of the picture in pixels."),
     /* The parser stores the index; the word itself follows from it (parse.c). */
     LAM_CHOICE_KEY(
-        lam_render_keys, "quality", quality_index, "final", lam_qualities,
-        "A section of templates/pov/render.ini: draft takes seconds and has no indirect "
-        "light, thumb (for small pictures) and middle a minute, final minutes, print "
-        "longer; exact is final with the same pixels every time; golden and mask (a flat "
-        "color per part) are for comparing."),
+        lam_render_keys, "quality", quality_index, "draft", lam_qualities,
+        "A section of templates/pov/render.ini (--picture names another one): draft takes "
+        "seconds and has no indirect light, thumb (for small pictures) and middle a minute, final "
+        "minutes, print longer; exact is final with the same pixels every time; golden and mask "
+        "(a flat color per part) are for comparing."),
     {.name = NULL},
 };
 

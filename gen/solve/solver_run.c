@@ -72,7 +72,7 @@ lam_residual lam_run_assemble(lam_run *r, int iteration, lam_weights weights,
 
   char detail[80];
   snprintf(detail, sizeof detail, "iteration %d, residual %.1e", iteration, here.max);
-  lam_progress_tell(progress, "solve", (double)iteration / r->schedule->max_iterations, detail);
+  lam_progress_tell(progress, "solve", -1, detail); /* nobody knows how many are to come */
   return here;
 }
 

@@ -337,7 +337,7 @@ static void povray_gets_the_scene_and_the_size(void **state) {
   char expected[160];
   snprintf(
       expected, sizeof expected,
-      "render.ini[thumb] +Itent.pov +O.lamella-part.png +W64 +H36 -D +L. +Ltemplates/pov\n%s\n",
+      "render.ini[thumb] +Itent.pov +O.lamella-part.png +W64 +H36 -D +V +L. +Ltemplates/pov\n%s\n",
       f->out);
   assert_string_equal(get(f, f->out, "said"), expected);
   assert_string_equal(get(f, f->out, "tent.png"), "picture\n");
@@ -372,6 +372,40 @@ static void povray_may_fail(void **state) {
     assert_string_equal(get(f, f->out, "tent.png"), "old");
     assert_null(get(f, f->out, ".lamella-part.png"));
   }
+}
+
+/* What was told of a picture: its quality, once for each fraction. */
+typedef struct told {
+  int count;
+  double fractions[8];
+} told;
+
+static void hear_of_picture(void *context, const char *stage, double fraction,
+                            const char *detail) {
+  told *t = context;
+  if (!stage || strcmp(stage, "render") != 0) return;
+  assert_string_equal(detail, "thumb");
+  if (t->count < 8) t->fractions[t->count++] = fraction;
+}
+
+/* Lines as POV-Ray writes them; 576 of 2304 pixels are a quarter. A line may come in pieces, and
+ * what is no line about pixels is not told. */
+static void progress_of_povray_is_told(void **state) {
+  fixture *f = *state;
+  lam_model model = *f->model;
+  model.picture = (lam_picture){"plaza", "auto", 64, 36, "thumb"};
+  stand_in(f, "povray",
+           "#!/bin/sh\nprintf '==== [Rendering...] ====\\nRendered 576 of 2304 pixels (25%%)\\r'"
+           ">&2\nprintf 'Rende'\nsleep .05\nprintf 'red 1152 of 2304 pixels (50%%)\\r'\n"
+           "echo 'Rendered 5 of 0 pixels'\necho picture >.lamella-part.png\n");
+  told t = {0};
+  const lam_progress progress = {hear_of_picture, &t};
+  lam_session_set_progress(f->session, &progress);
+  written_as(f, &model, (lam_write_options){.only = "pov,png"});
+  lam_session_set_progress(f->session, NULL);
+  assert_int_equal(t.count, 3);
+  assert_true(t.fractions[0] < 0);
+  assert_true(t.fractions[1] == .25 && t.fractions[2] == .5);
 }
 
 /* The scene of another model in the folder is not what is rendered. */
@@ -594,6 +628,7 @@ int main(void) {
       TEST(files_are_given_as_bytes),
       TEST(povray_gets_the_scene_and_the_size),
       TEST(povray_may_fail),
+      TEST(progress_of_povray_is_told),
       TEST(a_picture_brings_its_scene),
       TEST(inputs_are_never_overwritten),
       TEST(links_do_not_lead_out),

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/model.h"
+#include "core/progress.h"
 #include "library/write/folder.h"
 
 /* Renders a scene in a folder to a picture beside it. The picture appears complete or not at all;
@@ -16,12 +17,13 @@
  *   templates_dir  whose folder pov is looked in for template files that do not stand beside the
  *                  scene, as lam_format.support lists them (POV-Ray's default rules forbid it to
  *                  read elsewhere); NULL: nowhere
+ *   progress       told of stage "render" while the picture grows; NULL: nobody
  *
  *   LAM_MISSING_PROGRAM  povray is not installed: one message
  *   LAM_IO               no scene, or the picture cannot be put in place: one message
  *   LAM_FAILED           povray gave up, or took too long: one message with its reason */
 lam_status lam_render_scene(const lam_folder *folder, const char *scene, const char *name,
                             const lam_picture *picture, const char *templates_dir,
-                            lam_errors *errors);
+                            const lam_progress *progress, lam_errors *errors);
 
 #endif

@@ -171,8 +171,9 @@ static lam_status render(const writing *w, lam_output_file *file) {
   lam_progress_tell(w->output->progress, "render", -1, w->model->picture.quality);
   keep_changes(w, file);
 
+  const lam_output *output = w->output;
   lam_status status = lam_render_scene(w->folder, scene.data, file->name, &w->model->picture,
-                                       w->output->templates, w->notes);
+                                       output->templates, output->progress, w->notes);
   if (status != LAM_OK) {
     w->output->left_out++;
     return LAM_OK;

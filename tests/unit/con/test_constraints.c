@@ -318,7 +318,7 @@ static void proximity_needs_a_reference(void **state) {
   lam_mesh mesh = net_grid(f->arena, 3, 3, net_plane);
   lam_net net = net_built(f, &mesh);
   lam_problem *problem = lam_problem_new(f->arena, 9, mesh.vertices);
-  lam_scope scope = {problem, &net, 1, NULL, NULL, &f->errors, 0};
+  lam_scope scope = {.problem = problem, .net = &net, .unit = 1, .errors = &f->errors};
   lam_con_proximity.add(&scope, NULL, 1, (lam_location){0});
   assert_int_equal(f->errors.count, 1);
   assert_int_equal(problem->block_count, 0);
@@ -337,7 +337,7 @@ static void gliding_is_free_along_the_boundary(void **state) {
   lam_mesh mesh = net_grid(f->arena, 4, 5, net_plane);
   lam_net net = net_built(f, &mesh);
   lam_problem *problem = lam_problem_new(f->arena, mesh.vertex_count, mesh.vertices);
-  lam_scope scope = {problem, &net, 1, NULL, NULL, &f->errors, 0};
+  lam_scope scope = {.problem = problem, .net = &net, .unit = 1, .errors = &f->errors};
   lam_con_glide.add(&scope, NULL, 1, (lam_location){0});
   for (int v = 0; v < mesh.vertex_count; v++) {
     int valence = net.ring_start[v + 1] - net.ring_start[v];

@@ -31,7 +31,7 @@ static void designs_have_defaults(void **state) {
   assert_string_equal(design.path, "desk.yaml");
   assert_false(design.has_render);
   assert_int_equal(design.render.size[0], 1600);
-  assert_string_equal(design.render.quality, "final");
+  assert_string_equal(design.render.quality, "draft");
   ASSERT_EXACT(design.sheets.stock[1], 1.5);
   const lam_placement_keys *location = design.surface.common;
   ASSERT_EXACT(location->size, 0.3);

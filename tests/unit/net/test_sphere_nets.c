@@ -383,7 +383,7 @@ static lam_net stars_of_radius(net_fixture *f, const lam_mesh *mesh, double radi
   for (int v = 0; v < mesh->vertex_count; v++)
     net.mesh.vertices[v] = lam_scale(net.mesh.vertices[v], 1 / unit);
   lam_problem *problem = lam_problem_new(f->arena, mesh->vertex_count, net.mesh.vertices);
-  lam_scope scope = {problem, &net, unit, NULL, NULL, &f->errors, 0};
+  lam_scope scope = {.problem = problem, .net = &net, .unit = unit, .errors = &f->errors};
   lam_spherical_star_params params = {.radius = radius};
   lam_con_spherical_star.add(&scope, &params, 1, (lam_location){0});
   net_no_errors(f, "stars");

@@ -9,8 +9,9 @@ static lam_net_result solve(net_fixture *f, const lam_mesh *mesh, const char *ki
   const lam_net_kind *kind = (const lam_net_kind *)lam_registry_find(&lam_nets, kind_name);
   lam_net_common *common = net_params(f, lam_net_common_keys, sizeof *common, keys);
   common->from.file = "mesh.obj";
-  lam_net_job job = {
-      kind, net_params(f, kind->head.keys, kind->head.params_size, "{}"), common, NULL, {0}, NULL};
+  lam_net_job job = {.kind = kind,
+                     .params = net_params(f, kind->head.keys, kind->head.params_size, "{}"),
+                     .common = common};
   lam_net_result result;
   assert_true(lam_net_optimize(f->arena, &job, &net, &f->errors, &result));
   net_no_errors(f, kind_name);

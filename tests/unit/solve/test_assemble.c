@@ -52,7 +52,7 @@ static lam_problem *mixed_problem(net_fixture *f, const lam_net *net) {
   lam_problem *problem = lam_problem_new(arena, net->mesh.vertex_count, net->mesh.vertices);
   int ball = lam_problem_node(problem, 4, sphere), first = lam_problem_node(problem, 1, a);
   int second = lam_problem_node(problem, 1, b), other = lam_problem_node(problem, 5, five);
-  lam_scope scope = {problem, net, 1, NULL, NULL, &f->errors, 0};
+  lam_scope scope = {.problem = problem, .net = net, .unit = 1, .errors = &f->errors};
   lam_con_planar_star.add(&scope, NULL, 3, (lam_location){0});
   lam_con_fairness.add(&scope, NULL, .7, (lam_location){0});
   lam_con_closeness.add(&scope, NULL, .2, (lam_location){0});
