@@ -1,8 +1,11 @@
 /* DXF, release 12 (AC1009): a file per sheet (sheets/NAME.dxf; listed in formats/list/formats.c),
- * in millimeters. Everything is a POLYLINE, so that every laser, plasma and water-jet program
- * reads it; a closed one has flag 1 and does not repeat its first point. */
+ * in millimeters. Everything is a POLYLINE or a CIRCLE, so that every laser, plasma and water-jet
+ * program reads it; a closed polyline has flag 1 and does not repeat its first point. Colors are
+ * those of the layers. */
+#include "core/flat_shape.h"
 #include "formats/format.h"
 #include "formats/sheets/layer.h"
+#include "formats/sheets/sheet_order.h"
 
 enum { DECIMALS = 4 };
 
@@ -82,7 +85,7 @@ static void tables(lam_text *out) {
   table(out, "LAYER", LAM_LAYER_COUNT + 1);
   for (int i = -1; i < LAM_LAYER_COUNT; i++) {
     pair(out, 0, "LAYER");
-    pair(out, 2, i < 0 ? "0" : lam_layer_styles[i].name);
+    pair(out, 2, i < 0 ? "0" : lam_layer_styles[i].dxf_name);
     pair_int(out, 70, 0);
     pair_int(out, 62, i < 0 ? 7 : lam_layer_styles[i].aci);
     pair(out, 6, "CONTINUOUS");
@@ -99,7 +102,7 @@ static bool same(lam_vec2 a, lam_vec2 b) {
 
 /* A path as POLYLINE, VERTEX ... SEQEND, with z = 0; one of fewer than two points is left out. */
 static void polyline(lam_text *out, const lam_path *path) {
-  const char *layer = lam_layer_styles[path->layer].name;
+  const char *layer = lam_layer_styles[path->layer].dxf_name;
   int count = path->count;
   while (path->closed && count > 1 && same(path->points[0], path->points[count - 1])) count--;
   if (count < 2) return;
@@ -125,6 +128,16 @@ static void polyline(lam_text *out, const lam_path *path) {
   pair(out, 8, layer);
 }
 
+static void circle(lam_text *out, const lam_path *path) {
+  lam_vec2 center = lam_path_center(path);
+  pair(out, 0, "CIRCLE");
+  pair(out, 8, lam_layer_styles[path->layer].dxf_name);
+  pair_mm(out, 10, center.x);
+  pair_mm(out, 20, center.y);
+  pair_mm(out, 30, 0);
+  pair_mm(out, 40, path->radius);
+}
+
 /* Comments (code 999): what the sheet is of, and whether the kerf is compensated. */
 static void remarks(lam_text *out, const lam_model *model, const lam_sheet *sheet) {
   lam_text_printf(out, "999\n%s, %s: %s, ", model->name, sheet->name,
@@ -146,11 +159,14 @@ static void path_of(const lam_model *model, int i, lam_text *path) {
   lam_text_printf(path, "sheets/%s.dxf", model->sheets[i].name);
 }
 
-/* The border of the sheet, then the paths of all pieces. */
+/* The border of the sheet, then the paths of all pieces in the order in which they are made. */
 static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   const lam_sheet *sheet = &model->sheets[i];
   double w = sheet->width, h = sheet->height;
-  lam_path border = {LAM_LAYER_SHEET, true, false, 4, (lam_vec2[]){{0, 0}, {w, 0}, {w, h}, {0, h}}};
+  lam_path border = {.layer = LAM_LAYER_SHEET,
+                     .closed = true,
+                     .count = 4,
+                     .points = (lam_vec2[]){{0, 0}, {w, 0}, {w, h}, {0, h}}};
 
   remarks(out, model, sheet);
   header(out, sheet);
@@ -159,8 +175,13 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   pair(out, 0, "SECTION");
   pair(out, 2, "ENTITIES");
   polyline(out, &border);
-  for (int p = 0; p < sheet->piece_count; p++)
-    for (int k = 0; k < sheet->placed[p].path_count; k++) polyline(out, &sheet->placed[p].paths[k]);
+  lam_sheet_line *lines;
+  int count = lam_sheet_order(out->arena, sheet, &lines);
+  for (int l = 0; l < count; l++) {
+    const lam_path *paths = &sheet->placed[lines[l].piece].paths[lines[l].first];
+    for (int k = 0; k < lines[l].count; k++)
+      paths[k].radius > 0 ? circle(out, &paths[k]) : polyline(out, &paths[k]);
+  }
 
   pair(out, 0, "ENDSEC");
   pair(out, 0, "EOF");
@@ -170,7 +191,8 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
 const lam_format lam_format_dxf = {
     .name = "dxf",
     .doc = "Cutting sheets for lasers, plasma and water jets: DXF release 12, layers CUT, "
-           "ENGRAVE, LABEL and SHEET, millimeters.",
+           "ENGRAVE and LABEL, the frame of the sheet on DEFPOINTS, which is never plotted; marks "
+           "before holes before outlines, small parts first; millimeters.",
     .count = count_files,
     .path = path_of,
     .write = write_file,

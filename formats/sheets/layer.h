@@ -7,9 +7,10 @@
 
 typedef struct lam_layer_style {
   const char *name;
-  int aci;           /* AutoCAD color index */
-  const char *color; /* the same color for the web */
-  const char *doc;   /* what the workshop does with it */
+  const char *dxf_name; /* of the layer in DXF */
+  int aci;              /* AutoCAD color index */
+  const char *color;    /* the same color for the web */
+  const char *doc;      /* what the workshop does with it */
 } lam_layer_style;
 
 /* In the order of lam_layer. */

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 enum { bar_width = 20, refresh_ms = 80 };
-static const double soon = 3; /* seconds of a stage, before which nothing is said of the time left */
+static const double soon = 3; /* seconds of a stage, after which the time left is said */
 
 /* The time left of a stage, judged by what is done: ", about 40 s left"; empty while nothing can be
  * said. */

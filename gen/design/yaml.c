@@ -306,9 +306,11 @@ static lam_node *read_document(yaml_reader *reader) {
 /* Whether there are more %TAG lines than anybody needs: libyaml compares each with all before. */
 static bool has_many_directives(const char *bytes, size_t count) {
   int found = 0;
-  for (const char *at = bytes; at; at = memchr(at, '\n', count - (size_t)(at - bytes))) {
-    at += at != bytes;
-    if (count - (size_t)(at - bytes) > 4 && memcmp(at, "%TAG", 4) == 0) found++;
+  const char *line = bytes, *end = bytes + count;
+  while (line) {
+    if (end - line > 4 && memcmp(line, "%TAG", 4) == 0) found++;
+    line = memchr(line, '\n', (size_t)(end - line));
+    if (line) line++;
   }
   return found > 16;
 }

@@ -42,12 +42,19 @@ def check(name, wrong):
         print("#", line)
     print("ok" if not wrong else "not ok", number, "-", name)
 
-LAYERS = {"CUT": 1, "ENGRAVE": 5, "LABEL": 3, "SHEET": 8}
+LAYERS = {"CUT": 1, "ENGRAVE": 5, "LABEL": 3, "DEFPOINTS": 8}
+
+# The rightmost, highest, leftmost and lowest point of a circle.
+def circle(x, y, r):
+    return [(round(x + r * u, 4), round(y + r * v, 4)) for u, v in ((1, 0), (0, 1), (-1, 0), (0, -1))]
 
 def read_dxf(path):
     document = ezdxf.readfile(path)
     lines = []
     for entity in document.modelspace():
+        if entity.dxftype() == "CIRCLE":
+            lines.append((entity.dxf.layer, True, circle(entity.dxf.center.x, entity.dxf.center.y, entity.dxf.radius)))
+            continue
         points = [(round(v.dxf.location.x, 4), round(v.dxf.location.y, 4)) for v in entity.vertices]
         lines.append((entity.dxf.layer, entity.is_closed, points))
     return document, lines
@@ -58,12 +65,17 @@ def read_svg(path):
     height = float(root.get("viewBox").split()[3])
     def shapes(node):
         found = []
-        for shape in node.iter(name + "path"):
-            data = shape.get("d")
-            points = [(float(x), round(height - float(y), 4)) for x, y in re.findall(r"(-?[\d.]+),(-?[\d.]+)", data)]
-            found.append((shape.get("class"), data.endswith("Z"), points))
+        for shape in node.iter():
+            layer = shape.get("class").replace("SHEET", "DEFPOINTS") if shape.get("class") else None
+            if shape.tag == name + "circle":
+                x, y, r = (float(shape.get(key)) for key in ("cx", "cy", "r"))
+                found.append((layer, True, circle(x, height - y, r)))
+            for data in shape.get("d").split("M")[1:] if shape.tag == name + "path" else []:
+                points = [(float(x), round(height - float(y), 4)) for x, y in re.findall(r"(-?[\d.]+),(-?[\d.]+)", data)]
+                found.append((layer, data.rstrip().endswith("Z"), points))
         return found
-    groups = {group.get("id"): shapes(group) for group in root.iter(name + "g")}
+    groups = {group.get("id"): shapes(group) for group in root.iter(name + "g")
+              if group.get("class") == "part" and not re.search("-(engrave|label|holes)$", group.get("id"))}
     return root, shapes(root), groups
 
 def bounds(lines):
@@ -109,10 +121,10 @@ for path, (document, lines) in drawings.items():
         if document.layers.get(name).dxf.color != color:
             wrong.append(f"{path}: layer {name}")
     strange = {line[0] for line in lines} - set(LAYERS)
-    kinds = {entity.dxftype() for entity in document.modelspace()} - {"POLYLINE"}
+    kinds = {entity.dxftype() for entity in document.modelspace()} - {"POLYLINE", "CIRCLE"}
     if strange or kinds:
         wrong.append(f"{path}: {strange} {kinds}")
-check("layers CUT (red), ENGRAVE (blue), LABEL (green), SHEET (gray), and nothing else", wrong)
+check("layers CUT (red), ENGRAVE (blue), LABEL (green), DEFPOINTS (gray), and nothing else", wrong)
 
 wrong = []
 for path, (document, lines) in drawings.items():
@@ -150,6 +162,28 @@ for svg, (root, shapes, groups) in pictures.items():
     if len(ids) != len(set(ids)):
         wrong.append(f"{svg}: repeated ids")
 check("SVG is true to size, with one group per part", wrong)
+
+inkscape = "{http://www.inkscape.org/namespaces/inkscape}"
+wrong = []
+for svg, (root, shapes, groups) in pictures.items():
+    layers = [g.get(inkscape + "label") for g in root if g.get(inkscape + "groupmode") == "layer"]
+    if layers[0] != "SHEET" or layers[-1] != "CUT" or len(layers) != len(set(layers)):
+        wrong.append(f"{svg}: {layers}")
+check("SVG has Inkscape's layers, the cuts last", wrong)
+
+# Machines make lines in the order of the file. Round holes are circles here, and all others are outlines.
+wrong = []
+for path, (document, lines) in drawings.items():
+    rank = {"DEFPOINTS": 0, "ENGRAVE": 1, "LABEL": 2}
+    order = [3 if e.dxftype() == "CIRCLE" else rank.get(e.dxf.layer, 4) for e in document.modelspace()]
+    if order != sorted(order):
+        wrong.append(path)
+    def area(ring):
+        return abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1]))) / 2
+    sizes = [area(points) for (layer, closed, points), step in zip(lines, order) if step == 4]
+    if any(b < a * (1 - 1e-6) for a, b in zip(sizes, sizes[1:])):
+        wrong.append(f"{path}: {sizes}")
+check("marks before holes before outlines, small parts before large ones", wrong)
 
 wrong = []
 for svg, (root, shapes, groups) in pictures.items():

@@ -151,11 +151,12 @@ static const char *read_stroke(const char *text, lam_vec2 *points, int *count) {
   return *text == ' ' ? text + 1 : text;
 }
 
-/* Strokes become open paths; x runs along the base line, in grid units. */
+/* Strokes become open paths, all of one text joined; x runs along the base line, in grid units. */
 void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_vec2 origin,
                        double angle, double height) {
   double unit = height / HEIGHT, x = 0;
   lam_motion motion = {cos(angle), sin(angle), origin};
+  bool begun = false;
 
   for (; *text; text++) {
     const glyph *shape = find(*text);
@@ -166,7 +167,8 @@ void lam_lettering_add(lam_paths *paths, lam_layer layer, const char *text, lam_
       for (int i = 0; i < count; i++)
         points[i] = lam_motion_apply(&motion,
                                      lam_v2((x + points[i].x) * narrow * unit, points[i].y * unit));
-      lam_paths_add(paths, layer, false, count, points);
+      lam_paths_add(paths, layer, false, count, points)->joined = begun;
+      begun = true;
     }
 
     x += shape->width + gap;

@@ -10,7 +10,10 @@
 /* The points are copied first: the list may move while it grows, they do not. */
 lam_path *lam_paths_add(lam_paths *paths, lam_layer layer, bool closed, int count,
                         const lam_vec2 *points) {
-  lam_path path = {layer, closed, false, count, LAM_NEW(paths->arena, lam_vec2, count)};
+  lam_path path = {.layer = layer,
+                   .closed = closed,
+                   .count = count,
+                   .points = LAM_NEW(paths->arena, lam_vec2, count)};
   if (count) memcpy(path.points, points, (size_t)count * sizeof *points);
   LAM_APPEND(paths->arena, paths->items, paths->count, paths->capacity, path);
   return &paths->items[paths->count - 1];
@@ -26,7 +29,20 @@ void lam_paths_hole(lam_paths *paths, lam_vec2 center, double diameter) {
   lam_vec2 points[CORNERS];
   for (int i = 0; i < CORNERS; i++)
     points[i] = lam_v2(center.x + radius * cos(step * i), center.y + radius * sin(step * i));
-  lam_paths_add(paths, LAM_LAYER_CUT, true, CORNERS, points)->hole = true;
+  lam_path *hole = lam_paths_add(paths, LAM_LAYER_CUT, true, CORNERS, points);
+  hole->hole = true;
+  hole->radius = diameter / 2;
+}
+
+/* The corners keep their ratio to the circle. */
+void lam_path_resize(lam_path *circle, lam_vec2 *points, double radius) {
+  lam_vec2 center = lam_path_center(circle);
+  double scale = radius / circle->radius;
+  for (int i = 0; i < circle->count; i++)
+    points[i] = lam_v2(center.x + scale * (circle->points[i].x - center.x),
+                       center.y + scale * (circle->points[i].y - center.y));
+  circle->points = points;
+  circle->radius = radius;
 }
 
 lam_vec2 lam_motion_apply(const lam_motion *motion, lam_vec2 point) {
@@ -59,16 +75,6 @@ void lam_paths_bounds(const lam_path *paths, int count, lam_vec2 *min, lam_vec2 
       *min = lam_v2(fmin(min->x, point.x), fmin(min->y, point.y));
       *max = lam_v2(fmax(max->x, point.x), fmax(max->y, point.y));
     }
-}
-
-/* The shoelace formula: half the sum of a x b over the sides a -> b. */
-double lam_path_area(const lam_path *path) {
-  double twice = 0;
-  for (int i = 0, j = path->count - 1; i < path->count; j = i++) {
-    lam_vec2 a = path->points[j], b = path->points[i];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return twice / 2;
 }
 
 /* Marks and open paths enclose nothing; the orientation of a path does not matter. */

@@ -4,7 +4,7 @@
 #define LAM_FAB_FLAT_PATH_H
 
 #include "core/arena.h"
-#include "core/model.h"
+#include "core/flat_shape.h"
 
 static inline lam_vec2 lam_v2(double x, double y) { return (lam_vec2){x, y}; }
 
@@ -18,9 +18,12 @@ typedef struct lam_paths {
 /* Appends a path; points is copied. The returned pointer is valid until the next call. */
 lam_path *lam_paths_add(lam_paths *paths, lam_layer layer, bool closed, int count,
                         const lam_vec2 *points);
-/* Appends a closed cut inside an outline: a circle as a regular polygon of 48 corners with the
- * area of the circle. */
+/* Appends a closed cut inside an outline: a circle, and for programs without circles a regular
+ * polygon of 48 corners with the area of the circle. */
 void lam_paths_hole(lam_paths *paths, lam_vec2 center, double diameter);
+/* Gives a circle (radius > 0) another radius, above 0. points: room for its count of points, which
+ * the circle keeps. */
+void lam_path_resize(lam_path *circle, lam_vec2 *points, double radius);
 
 /* A rotation by the angle with cosine and sine, then a move. */
 typedef struct lam_motion {
@@ -34,8 +37,6 @@ lam_path *lam_paths_placed(lam_arena *arena, const lam_path *paths, int count,
 
 /* Bounds of the points of all paths; both zero when there is none. */
 void lam_paths_bounds(const lam_path *paths, int count, lam_vec2 *min, lam_vec2 *max);
-/* The area enclosed, positive when counterclockwise. */
-double lam_path_area(const lam_path *path);
 /* How many pairs of sides of a closed path cross: 0 when it bounds one piece that does not lie on
  * itself. Touching is no crossing. */
 long lam_path_crossings(const lam_path *path);

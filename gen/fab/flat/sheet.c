@@ -162,9 +162,13 @@ static void apply_kerf(cutting_job *job, lam_piece *piece) {
     if (path->layer != LAM_LAYER_CUT || !path->closed) continue;
 
     lam_vec2 *moved = LAM_NEW(job->arena, lam_vec2, LAM_OFFSET_ROOM(path->count));
-    double half = job->options.kerf / 2;
-    lam_status status = lam_offset_polygon(path->points, path->count, path->hole ? -half : half,
-                                           moved, &path->count);
+    double half = path->hole ? -job->options.kerf / 2 : job->options.kerf / 2;
+    if (path->radius + half > 0 && path->radius > 0) {
+      lam_path_resize(path, moved, path->radius + half);
+      continue;
+    }
+
+    lam_status status = lam_offset_polygon(path->points, path->count, half, moved, &path->count);
     /* Running out of memory inside C++ is passed on here, outside of its frames. */
     if (status == LAM_NO_MEMORY) lam_arena_exhausted(job->arena);
     if (status != LAM_OK) {

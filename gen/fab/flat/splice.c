@@ -114,7 +114,13 @@ static void split_mark(const lam_path *mark, const lam_axis *axis, const double 
                        int cut_count, lam_paths *shares) {
   int n = mark->count, steps = mark->closed ? n + 1 : n, first;
   if (is_whole(mark, axis, cuts, cut_count, &first)) {
-    lam_paths_add(&shares[first], mark->layer, mark->closed, n, mark->points)->hole = mark->hole;
+    lam_paths *share = &shares[first];
+    bool goes_on =
+        mark->joined && share->count && share->items[share->count - 1].layer == mark->layer;
+    lam_path *whole = lam_paths_add(share, mark->layer, mark->closed, n, mark->points);
+    whole->hole = mark->hole;
+    whole->radius = mark->radius;
+    whole->joined = goes_on;
     return;
   }
 

@@ -35,8 +35,11 @@ typedef struct lam_path {
   lam_layer layer;
   bool closed; /* the last point is joined to the first, and is not repeated */
   bool hole;   /* a closed cut inside the outline: offset inward by the kerf */
+  bool joined; /* one object with the path before: the next stroke of a word */
   int count;
   lam_vec2 *points; /* count; meters */
+  double radius;    /* of a circle round the mean of the points, a polygon for programs without
+                       circles; 0: no circle. meters */
 } lam_path;
 
 /* Where a slot lies on a developed strip: along its axis and across it (0 on the axis), meters. */

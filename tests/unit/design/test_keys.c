@@ -464,6 +464,7 @@ static void no_text_takes_long(void **state) {
   seconds += refuse(r, "- ", 2000000, expected);
   seconds += refuse(r, "- &a%d x\n", 200000, "1001:3: more than 1000 anchors (&name)\n");
   seconds += refuse(r, "%%TAG !a%d! b\n", 200000, "house.yaml: more than 16 %TAG lines\n");
+  seconds += refuse(r, "\n%%TAG !a%d! b\n", 17, "house.yaml: more than 16 %TAG lines\n");
   if (seconds > 2) fail_msg("%.1f s for six texts that are refused", seconds);
 }
 

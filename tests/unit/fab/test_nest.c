@@ -104,7 +104,7 @@ static void offset_moves_every_side(void **state) {
   for (int side = -1; side <= 1; side += 2) {
     double d = side * 1e-4;
     assert_int_equal(lam_offset_polygon(comb, 8, d, moved, &count), LAM_OK);
-    lam_path path = {LAM_LAYER_CUT, true, false, count, moved};
+    lam_path path = {.layer = LAM_LAYER_CUT, .closed = true, .count = count, .points = moved};
     box b = bounds(&path, 1);
     assert_int_equal(count, 8);
     assert_near(b.max.x - b.min.x, 0.1 + 2 * d, 2e-9);
@@ -129,7 +129,8 @@ static void holes_shrink_by_the_kerf(void **state) {
   assert_int_equal(
       lam_offset_polygon(paths.items[0].points, paths.items[0].count, -0.0001, moved, &count),
       LAM_OK);
-  lam_path path = {LAM_LAYER_CUT, true, true, count, moved};
+  lam_path path = {
+      .layer = LAM_LAYER_CUT, .closed = true, .hole = true, .count = count, .points = moved};
   box before = bounds(paths.items, 1), after = bounds(&path, 1);
   assert_near(before.max.x - before.min.x - (after.max.x - after.min.x), 0.0002, 1e-6);
   lam_arena_free(arena);

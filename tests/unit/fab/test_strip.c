@@ -88,7 +88,7 @@ static void areas_of_outlines_less_holes(void **state) {
   lam_arena *arena = lam_arena_new();
   lam_paths paths = {.arena = arena};
   lam_vec2 turned[4] = {square[3], square[2], square[1], square[0]};
-  lam_path path = {LAM_LAYER_CUT, true, false, 4, turned};
+  lam_path path = {.layer = LAM_LAYER_CUT, .closed = true, .count = 4, .points = turned};
   assert_near(lam_path_area(&path), -9, 0); /* clockwise */
   lam_paths_add(&paths, LAM_LAYER_CUT, true, 4, square);
   lam_paths_add(&paths, LAM_LAYER_CUT, true, 4, turned);
@@ -122,7 +122,8 @@ static void paths_are_moved(void **state) {
   (void)state;
   lam_arena *arena = lam_arena_new();
   lam_vec2 points[4] = {square[0], square[1], square[2], square[3]};
-  const lam_path path = {LAM_LAYER_ENGRAVE, true, true, 4, points};
+  const lam_path path = {
+      .layer = LAM_LAYER_ENGRAVE, .closed = true, .hole = true, .count = 4, .points = points};
   const lam_motion quarter = {0, 1, {10, 20}}, slanted = {.6, .8, {0, 0}};
   lam_path *moved = lam_paths_placed(arena, &path, 1, &quarter);
   for (int i = 0; i < 4; i++)
@@ -163,11 +164,12 @@ static void crossings_of_outlines_are_counted(void **state) {
            tie[4] = {square[0], square[2], square[1], square[3]},
            touching[5] = {{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}},
            last[4] = {{0, 1}, {2, 0}, {0, 0}, {2, 1}}; /* the last side crosses the second */
-  const lam_path paths[] = {{LAM_LAYER_CUT, true, false, 4, box},
-                            {LAM_LAYER_CUT, true, false, 4, tie},
-                            {LAM_LAYER_CUT, true, false, 5, star},
-                            {LAM_LAYER_CUT, true, false, 5, touching},
-                            {LAM_LAYER_CUT, true, false, 4, last}};
+  const lam_path paths[] = {
+      {.layer = LAM_LAYER_CUT, .closed = true, .count = 4, .points = box},
+      {.layer = LAM_LAYER_CUT, .closed = true, .count = 4, .points = tie},
+      {.layer = LAM_LAYER_CUT, .closed = true, .count = 5, .points = star},
+      {.layer = LAM_LAYER_CUT, .closed = true, .count = 5, .points = touching},
+      {.layer = LAM_LAYER_CUT, .closed = true, .count = 4, .points = last}};
   static const int expected[] = {0, 1, 5, 0, 1};
   for (int i = 0; i < 5; i++) assert_int_equal(lam_path_crossings(&paths[i]), expected[i]);
 }

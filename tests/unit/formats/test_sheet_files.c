@@ -30,12 +30,42 @@ static lam_vec2 square[] = {{.01, .02}, {.03, .02}, {.03, .04}, {.01, .04}};
 static lam_path second_paths[] = {
     {.layer = LAM_LAYER_CUT, .closed = true, .count = 4, .points = square}};
 
+/* A washer with two round holes, the larger one first: centers (.2, .2) and (.24, .2). Then a word
+ * of two strokes, and another one. Outline 60 x 20 mm: larger than `square`, smaller than
+ * `triangle`. */
+static lam_vec2 plate[] = {{.18, .19}, {.24, .19}, {.24, .21}, {.18, .21}};
+static lam_vec2 wide[] = {{.205, .2}, {.2, .205}, {.195, .2}, {.2, .195}};
+static lam_vec2 narrow[] = {{.242, .2}, {.24, .202}, {.238, .2}, {.24, .198}};
+static lam_vec2 bar[] = {{.19, .2}, {.19, .202}}, dash[] = {{.19, .201}, {.191, .201}};
+static lam_path washer_paths[] = {
+    {.layer = LAM_LAYER_CUT, .closed = true, .count = 4, .points = plate},
+    {.layer = LAM_LAYER_CUT,
+     .closed = true,
+     .hole = true,
+     .count = 4,
+     .points = wide,
+     .radius = .005},
+    {.layer = LAM_LAYER_CUT,
+     .closed = true,
+     .hole = true,
+     .count = 4,
+     .points = narrow,
+     .radius = .002},
+    {.layer = LAM_LAYER_LABEL, .count = 2, .points = bar},
+    {.layer = LAM_LAYER_LABEL, .joined = true, .count = 2, .points = dash},
+    {.layer = LAM_LAYER_LABEL, .count = 2, .points = bar}};
+
 static const lam_material steel = {.name = "steel"};
 static lam_sheet_piece pieces[] = {{.label = "A&1", .path_count = 5, .paths = first_paths},
                                    {.label = "P1", .path_count = 1, .paths = second_paths},
                                    {.label = "X", .path_count = 1, .paths = second_paths}};
-static lam_sheet_piece copies[] = {{.label = "A1"}, {.label = "P1"}, {.label = "A1"},
-                                   {.label = "P2"}, {.label = "A1"}, {.label = "P1"}};
+#define ONE_SQUARE .path_count = 1, .paths = second_paths
+static lam_sheet_piece copies[] = {{.label = "A1", ONE_SQUARE}, {.label = "P1", ONE_SQUARE},
+                                   {.label = "A1", ONE_SQUARE}, {.label = "P2", ONE_SQUARE},
+                                   {.label = "A1", ONE_SQUARE}, {.label = "P1", ONE_SQUARE}};
+static lam_sheet_piece mixed[] = {{.label = "A1", .path_count = 1, .paths = first_paths},
+                                  {.label = "W1", .path_count = 6, .paths = washer_paths},
+                                  {.label = "P1", .path_count = 1, .paths = second_paths}};
 static const lam_sheet sheets[] = {{.name = "steel-1",
                                     .width = .5,
                                     .height = .25,
@@ -49,9 +79,15 @@ static const lam_sheet sheets[] = {{.name = "steel-1",
                                     .thickness = .01200061,
                                     .kerf = .00020004,
                                     .piece_count = 6,
-                                    .placed = copies}};
+                                    .placed = copies},
+                                   {.name = "mixed-3",
+                                    .width = .5,
+                                    .height = .25,
+                                    .thickness = .002,
+                                    .piece_count = 3,
+                                    .placed = mixed}};
 static const lam_model workshop = {
-    .name = "hut", .title = "A \"hut\" & <shed>", .sheet_count = 2, .sheets = sheets};
+    .name = "hut", .title = "A \"hut\" & <shed>", .sheet_count = 3, .sheets = sheets};
 
 /* ---- DXF ---- */
 
@@ -79,13 +115,19 @@ static const char *in_pairs(lam_arena *arena, const char *text) {
   "  0 LAYER\n  2 CUT\n 70 0\n 62 1\n  6 CONTINUOUS\n"                                             \
   "  0 LAYER\n  2 ENGRAVE\n 70 0\n 62 5\n  6 CONTINUOUS\n"                                         \
   "  0 LAYER\n  2 LABEL\n 70 0\n 62 3\n  6 CONTINUOUS\n"                                           \
-  "  0 LAYER\n  2 SHEET\n 70 0\n 62 8\n  6 CONTINUOUS\n  0 ENDTAB\n  0 ENDSEC\n"                   \
+  "  0 LAYER\n  2 DEFPOINTS\n 70 0\n 62 8\n  6 CONTINUOUS\n  0 ENDTAB\n  0 ENDSEC\n"               \
   "  0 SECTION\n  2 ENTITIES\n"
 #define POLYLINE(layer, closed)                                                                    \
   "  0 POLYLINE\n  8 " layer "\n 66 1\n 10 0\n 20 0\n 30 0\n 70 " closed "\n"
 #define VERTEX(layer, x, y) "  0 VERTEX\n  8 " layer "\n 10 " x "\n 20 " y "\n 30 0\n"
 #define SEQEND(layer) "  0 SEQEND\n  8 " layer "\n"
-#define CORNER(x, y) VERTEX("SHEET", x, y)
+#define CORNER(x, y) VERTEX("DEFPOINTS", x, y)
+#define SQUARE                                                                                     \
+  POLYLINE("CUT", "1")                                                                             \
+  VERTEX("CUT", "10", "20")                                                                        \
+  VERTEX("CUT", "30", "20")                                                                        \
+  VERTEX("CUT", "30", "40") VERTEX("CUT", "10", "40") SEQEND("CUT")
+#define CIRCLE(x, y, r) "  0 CIRCLE\n  8 CUT\n 10 " x "\n 20 " y "\n 30 0\n 40 " r "\n"
 #define END "  0 ENDSEC\n  0 EOF\n"
 
 /* Millimeters with 4 decimals; points that fall together are written once, a closed line does not
@@ -96,18 +138,12 @@ static void dxf_of_a_sheet(void **state) {
       "999 kerf is not compensated: lines are the true edges of the parts\n",
       HEADER("500", "250"),
       TABLES,
-      POLYLINE("SHEET", "1"),
+      POLYLINE("DEFPOINTS", "1"),
       CORNER("0", "0"),
       CORNER("500", "0"),
       CORNER("500", "250"),
       CORNER("0", "250"),
-      SEQEND("SHEET"),
-      POLYLINE("CUT", "1"),
-      VERTEX("CUT", "100", "50"),
-      VERTEX("CUT", "200", "50"),
-      VERTEX("CUT", "200", "150.0001"),
-      VERTEX("CUT", "200", "150"),
-      SEQEND("CUT"),
+      SEQEND("DEFPOINTS"),
       POLYLINE("ENGRAVE", "0"),
       VERTEX("ENGRAVE", "123.4568", "100"),
       VERTEX("ENGRAVE", "130", "110"),
@@ -117,11 +153,12 @@ static void dxf_of_a_sheet(void **state) {
       VERTEX("LABEL", "110", "60"),
       VERTEX("LABEL", "115", "70"),
       SEQEND("LABEL"),
+      SQUARE,
       POLYLINE("CUT", "1"),
-      VERTEX("CUT", "10", "20"),
-      VERTEX("CUT", "30", "20"),
-      VERTEX("CUT", "30", "40"),
-      VERTEX("CUT", "10", "40"),
+      VERTEX("CUT", "100", "50"),
+      VERTEX("CUT", "200", "50"),
+      VERTEX("CUT", "200", "150.0001"),
+      VERTEX("CUT", "200", "150"),
       SEQEND("CUT"),
       END,
       NULL,
@@ -137,12 +174,18 @@ static void dxf_tells_the_kerf(void **state) {
       "999 kerf of 0.2 mm is compensated: cut along the lines\n",
       HEADER("1234.5679", "1000"),
       TABLES,
-      POLYLINE("SHEET", "1"),
+      POLYLINE("DEFPOINTS", "1"),
       CORNER("0", "0"),
       CORNER("1234.5679", "0"),
       CORNER("1234.5679", "1000"),
       CORNER("0", "1000"),
-      SEQEND("SHEET"),
+      SEQEND("DEFPOINTS"),
+      SQUARE,
+      SQUARE,
+      SQUARE,
+      SQUARE,
+      SQUARE,
+      SQUARE,
       END,
       NULL,
   };
@@ -150,18 +193,76 @@ static void dxf_tells_the_kerf(void **state) {
                 in_pairs(*state, text_of(*state, &lam_format_dxf, &workshop, 1)), expected);
 }
 
+/* Marks, then holes, then outlines; the small hole and the small piece come first, although the
+ * model has them last. */
+static void dxf_in_the_order_of_work(void **state) {
+  const char *const expected[] = {
+      "999 hut, mixed-3: any material, 2 mm thick; millimeters\n",
+      "999 kerf is not compensated: lines are the true edges of the parts\n",
+      HEADER("500", "250"),
+      TABLES,
+      POLYLINE("DEFPOINTS", "1"),
+      CORNER("0", "0"),
+      CORNER("500", "0"),
+      CORNER("500", "250"),
+      CORNER("0", "250"),
+      SEQEND("DEFPOINTS"),
+      POLYLINE("LABEL", "0"),
+      VERTEX("LABEL", "190", "200"),
+      VERTEX("LABEL", "190", "202"),
+      SEQEND("LABEL"),
+      POLYLINE("LABEL", "0"),
+      VERTEX("LABEL", "190", "201"),
+      VERTEX("LABEL", "191", "201"),
+      SEQEND("LABEL"),
+      POLYLINE("LABEL", "0"),
+      VERTEX("LABEL", "190", "200"),
+      VERTEX("LABEL", "190", "202"),
+      SEQEND("LABEL"),
+      CIRCLE("240", "200", "2"),
+      CIRCLE("200", "200", "5"),
+      SQUARE,
+      POLYLINE("CUT", "1"),
+      VERTEX("CUT", "180", "190"),
+      VERTEX("CUT", "240", "190"),
+      VERTEX("CUT", "240", "210"),
+      VERTEX("CUT", "180", "210"),
+      SEQEND("CUT"),
+      POLYLINE("CUT", "1"),
+      VERTEX("CUT", "100", "50"),
+      VERTEX("CUT", "200", "50"),
+      VERTEX("CUT", "200", "150.0001"),
+      VERTEX("CUT", "200", "150"),
+      SEQEND("CUT"),
+      END,
+      NULL,
+  };
+  assert_pieces(*state, "mixed-3.dxf",
+                in_pairs(*state, text_of(*state, &lam_format_dxf, &workshop, 2)), expected);
+}
+
 /* ---- SVG ---- */
 
 #define SVG(width, height)                                                                         \
   "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "         \
+  "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "                                \
+  "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" "                         \
   "width=\"" width "mm\" height=\"" height "mm\" viewBox=\"0 0 " width " " height "\">\n"
 #define STYLE                                                                                      \
-  "<style>\npath { fill: none; stroke-width: 0.1; stroke-linejoin: round; stroke-linecap: round "  \
-  "}\n.CUT { stroke: #ff0000 }\n.ENGRAVE { stroke: #0000ff }\n.LABEL { stroke: #00a000 }\n"        \
-  ".SHEET { stroke: #808080 }\n</style>\n"
-#define LINE(layer, color, data)                                                                   \
-  "<path class=\"" layer "\" fill=\"none\" stroke=\"" color "\" stroke-width=\"0.1\" d=\"" data    \
-  "\"/>\n"
+  "<style>\npath, circle { fill: none; stroke-width: 0.1; stroke-linejoin: round; "                \
+  "stroke-linecap: round }\n@media screen { path, circle { stroke-width: 1px; vector-effect: "     \
+  "non-scaling-stroke } }\n.CUT { stroke: #ff0000 }\n.ENGRAVE { stroke: #0000ff }\n"               \
+  ".LABEL { stroke: #00a000 }\n.SHEET { stroke: #f36926 }\n</style>\n"
+#define LOOK(layer, color)                                                                         \
+  " class=\"" layer "\" fill=\"none\" stroke=\"" color "\" stroke-width=\"0.1\""
+#define LINE(layer, color, data) "<path" LOOK(layer, color) " d=\"" data "\"/>\n"
+#define LAYER(name)                                                                                \
+  "<g id=\"layer-" name "\" inkscape:groupmode=\"layer\" inkscape:label=\"" name "\">\n"
+#define FRAME(data)                                                                                \
+  "<g id=\"layer-SHEET\" inkscape:groupmode=\"layer\" inkscape:label=\"SHEET\" "                   \
+  "sodipodi:insensitive=\"true\">\n" LINE("SHEET", "#f36926", data) "</g>\n"
+#define PART(id) "<g class=\"part\" id=\"" id "\">\n"
+#define SVG_SQUARE LINE("CUT", "#ff0000", "M10,980 L30,980 30,960 10,960 Z")
 
 /* The sheet is 250 mm high: y = 50 stands at 200. Points are written as they are; Z closes. */
 static void svg_of_a_sheet(void **state) {
@@ -170,16 +271,24 @@ static void svg_of_a_sheet(void **state) {
       "<title>A &quot;hut&quot; &amp; &lt;shed>: steel-1</title>\n",
       "<desc>steel, 1.5004 mm thick; kerf is not compensated</desc>\n",
       STYLE,
-      LINE("SHEET", "#808080", "M0,250 L500,250 500,0 0,0 Z"),
-      "<g class=\"part\" id=\"A&amp;1\">\n",
-      LINE("CUT", "#ff0000", "M100,200 L200,200 200,200 200,99.9999 200,100 100,200 100,200 Z"),
+      FRAME("M0,250 L500,250 500,0 0,0 Z"),
+      LAYER("ENGRAVE"),
+      PART("A&amp;1-engrave"),
       LINE("ENGRAVE", "#0000ff", "M123.4568,150 L130,140 123.4568,150"),
+      "</g>\n</g>\n",
+      LAYER("LABEL"),
+      PART("A&amp;1-label"),
       LINE("LABEL", "#00a000", "M110,190 L115,180"),
-      LINE("CUT", "#ff0000", "M300,150 L300,150 Z"),
       LINE("LABEL", "#00a000", "M300,150"),
-      "</g>\n<g class=\"part\" id=\"P1\">\n",
+      "</g>\n</g>\n",
+      LAYER("CUT"),
+      PART("P1"),
       LINE("CUT", "#ff0000", "M10,230 L30,230 30,210 10,210 Z"),
-      "</g>\n</svg>\n",
+      "</g>\n",
+      PART("A&amp;1"),
+      LINE("CUT", "#ff0000", "M100,200 L200,200 200,200 200,99.9999 200,100 100,200 100,200 Z"),
+      LINE("CUT", "#ff0000", "M300,150 L300,150 Z"),
+      "</g>\n</g>\n</svg>\n",
       NULL,
   };
   assert_pieces(*state, "steel-1.svg", text_of(*state, &lam_format_svg, &workshop, 0), expected);
@@ -192,25 +301,54 @@ static void svg_tells_copies_apart(void **state) {
       "<title>A &quot;hut&quot; &amp; &lt;shed>: any-2</title>\n",
       "<desc>any material, 12.0006 mm thick; kerf of 0.2 mm is compensated</desc>\n",
       STYLE,
-      LINE("SHEET", "#808080", "M0,1000 L1234.5679,1000 1234.5679,0 0,0 Z"),
-      "<g class=\"part\" id=\"A1\">\n</g>\n",
-      "<g class=\"part\" id=\"P1\">\n</g>\n",
-      "<g class=\"part\" id=\"A1-copy-2\">\n</g>\n",
-      "<g class=\"part\" id=\"P2\">\n</g>\n",
-      "<g class=\"part\" id=\"A1-copy-3\">\n</g>\n",
-      "<g class=\"part\" id=\"P1-copy-2\">\n</g>\n",
-      "</svg>\n",
+      FRAME("M0,1000 L1234.5679,1000 1234.5679,0 0,0 Z"),
+      LAYER("CUT"),
+      PART("A1") SVG_SQUARE "</g>\n",
+      PART("P1") SVG_SQUARE "</g>\n",
+      PART("A1-copy-2") SVG_SQUARE "</g>\n",
+      PART("P2") SVG_SQUARE "</g>\n",
+      PART("A1-copy-3") SVG_SQUARE "</g>\n",
+      PART("P1-copy-2") SVG_SQUARE "</g>\n",
+      "</g>\n</svg>\n",
       NULL,
   };
   assert_pieces(*state, "any-2.svg", text_of(*state, &lam_format_svg, &workshop, 1), expected);
+}
+
+/* A word is one path, a round hole a circle. */
+static void svg_of_words_and_holes(void **state) {
+  const char *const expected[] = {
+      LAYER("LABEL"),
+      PART("W1-label"),
+      LINE("LABEL", "#00a000", "M190,50 L190,48 M190,49 L191,49"),
+      LINE("LABEL", "#00a000", "M190,50 L190,48"),
+      "</g>\n</g>\n",
+      LAYER("CUT"),
+      PART("W1-holes"),
+      "<circle" LOOK("CUT", "#ff0000") " cx=\"240\" cy=\"50\" r=\"2\"/>\n",
+      "<circle" LOOK("CUT", "#ff0000") " cx=\"200\" cy=\"50\" r=\"5\"/>\n",
+      "</g>\n",
+      PART("P1"),
+      LINE("CUT", "#ff0000", "M10,230 L30,230 30,210 10,210 Z"),
+      "</g>\n",
+      PART("W1"),
+      LINE("CUT", "#ff0000", "M180,60 L240,60 240,40 180,40 Z"),
+      "</g>\n",
+      PART("A1"),
+      LINE("CUT", "#ff0000", "M100,200 L200,200 200,200 200,99.9999 200,100 100,200 100,200 Z"),
+      "</g>\n</g>\n</svg>\n",
+      NULL,
+  };
+  const char *text = text_of(*state, &lam_format_svg, &workshop, 2);
+  assert_pieces(*state, "mixed-3.svg", strstr(text, LAYER("LABEL")), expected);
 }
 
 /* ---- both ---- */
 
 static void a_file_per_sheet(void **state) {
   static const lam_model nothing = {.name = "hut", .title = "hut"};
-  assert_int_equal(lam_format_dxf.count(&workshop), 2);
-  assert_int_equal(lam_format_svg.count(&workshop), 2);
+  assert_int_equal(lam_format_dxf.count(&workshop), 3);
+  assert_int_equal(lam_format_svg.count(&workshop), 3);
   assert_int_equal(lam_format_dxf.count(&nothing), 0);
   assert_int_equal(lam_format_svg.count(&nothing), 0);
   assert_string_equal(text_path(*state, &lam_format_dxf, &workshop, 0), "sheets/steel-1.dxf");
@@ -219,8 +357,10 @@ static void a_file_per_sheet(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      TEXT_TEST(dxf_of_a_sheet),         TEXT_TEST(dxf_tells_the_kerf), TEXT_TEST(svg_of_a_sheet),
-      TEXT_TEST(svg_tells_copies_apart), TEXT_TEST(a_file_per_sheet),
+      TEXT_TEST(dxf_of_a_sheet),           TEXT_TEST(dxf_tells_the_kerf),
+      TEXT_TEST(dxf_in_the_order_of_work), TEXT_TEST(svg_of_a_sheet),
+      TEXT_TEST(svg_tells_copies_apart),   TEXT_TEST(svg_of_words_and_holes),
+      TEXT_TEST(a_file_per_sheet),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

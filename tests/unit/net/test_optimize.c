@@ -342,7 +342,7 @@ static void solving_does_not_depend_on_the_unit(void **state) {
 
 static void count_calls(void *context, const char *stage, double fraction, const char *detail) {
   assert_non_null(strstr(detail, "iteration"));
-  assert_true(stage && fraction >= 0 && fraction <= 1);
+  assert_true(stage && fraction < 0); /* nobody knows how many are to come */
   ++*(int *)context;
 }
 
