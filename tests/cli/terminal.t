@@ -13,6 +13,7 @@ mkdir bin
 cat >bin/povray <<'SH'
 #!/bin/sh
 echo "$1" >said
+sleep .2
 printf 'Rendered 25 of 100 pixels (25%%)\r' >&2
 sleep 3.2
 printf 'Rendered 50 of 100 pixels (50%%)\r' >&2
