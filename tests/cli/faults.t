@@ -32,7 +32,8 @@ PATH=$scratch/bin:$PATH
 # begin: a build in the background, which waits for its picture; leaves job and child.
 begin() {
   rm -f pid
-  "$lamella" build tent.yaml -o made >/dev/null 2>&1 &
+  # the shell lets programs in the background ignore SIGINT, and whoever runs the tests may have it ignore SIGHUP
+  perl -e '$SIG{INT} = $SIG{HUP} = "DEFAULT"; exec @ARGV' "$lamella" build tent.yaml -o made >/dev/null 2>&1 &
   job=$!
   for _ in $(seq 200); do [[ -s pid ]] && break; sleep .02; done
   child=$(cat pid)
@@ -52,9 +53,6 @@ temporary() { find made -name '.lamella-part*'; }
 for signal in INT:130 TERM:143 HUP:129; do
   rm -rf made
   begin
-  # the shell lets programs in the background ignore SIGINT
-  [[ ${signal%:*} == INT ]] && { kill -9 $job; wait $job; rm -rf made pid; perl -e '$SIG{INT} = "DEFAULT"; exec @ARGV' \
-    "$lamella" build tent.yaml -o made >/dev/null 2>&1 & job=$!; for _ in $(seq 200); do [[ -s pid ]] && break; sleep .02; done; child=$(cat pid); }
   kill -"${signal%:*}" $job
   wait $job 2>/dev/null
   status=$?

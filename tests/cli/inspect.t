@@ -60,7 +60,7 @@ run inspect bad.obj
 ok "a bad file is told with its line" complains '^bad.obj:2: face: vertex 2 given, but the file has 1$'
 echo hello >notes.txt
 run inspect notes.txt
-ok "another kind of file is told" complains '^notes.txt: not a mesh file that is read; expected .obj or .stl$'
+ok "another kind of file is told" complains '^notes.txt: not a mesh file that is read; expected .obj, .stl, .off or .ply$'
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 2\n' >flat.obj
 run inspect flat.obj
 ok "a mesh without triangles is told" complains 'flat.obj: has no triangles'

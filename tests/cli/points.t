@@ -49,7 +49,7 @@ run check scan.yaml
 ok "decimal commas are told once" test "$(grep -c 'expected a decimal point' err)" = 1
 design scan.yaml 'fairness: 0'
 run check scan.yaml
-ok "other files are refused, with those that are read" grep -qF 'not a file of points; expected .obj, .stl, .xyz, .pts, .csv, .txt or .asc' err
+ok "other files are refused, with those that are read" grep -qF 'not a file of points; expected .obj, .stl, .off, .ply, .xyz, .pts, .csv, .txt or .asc' err
 printf 'lamella: 1\nname: scan\nsurface: {kind: interpolation, file: sorted.csv, unit: cm, count: [12, 10]}\nnet: {kind: free, grid: [4, 3]}\n' >scan.yaml
 run build scan.yaml -o through --only obj,report
 ok "a surface through the points of a file" on_the_surface through/net.obj

@@ -106,13 +106,13 @@ static void pieces_lie_where_they_fit(void **state) {
   assert_near(sheet->used, (.07 - 2 * hole) / .5, 1e-12);
   assert_bounds(&second->placed[0].paths[0], .01, .01, .111, .111);
 
-  /* The hole: 48 sides, each half a kerf nearer to the center: (1 - k/(2 a))^2 of the area, a the
-   * distance of the sides. */
+  /* The hole: a circle whose radius is half a kerf smaller, and 48 corners that enclose its area:
+   * they lie at sqrt(pi/24 / sin(pi/24)) of the radius. */
   const lam_path *round = &sheet->placed[1].paths[1];
-  double a = .01 * sqrt(LAM_PI / 24 / sin(LAM_PI / 24)) * cos(LAM_PI / 48);
   assert_true(round->hole);
-  assert_near(fabs(lam_path_area(round)), hole * pow(1 - .0005 / a, 2), 1e-10);
-  double reach = (a - .0005) / cos(LAM_PI / 48);
+  assert_near(round->radius, .0095, 1e-15);
+  assert_near(fabs(lam_path_area(round)), LAM_PI * .0095 * .0095, 1e-12);
+  double reach = .0095 * sqrt(LAM_PI / 24 / sin(LAM_PI / 24));
   assert_bounds(round, .4655 - reach, .0605 - reach, .4655 + reach, .0605 + reach);
   lam_arena_free(t.arena);
 }
