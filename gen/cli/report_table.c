@@ -47,3 +47,13 @@ void lam_report_print(const lam_report *report, bool timings, FILE *out) {
     for (int k = 0; k < stage->note_count; k++) fprintf(out, "  %s\n", stage->notes[k]);
   }
 }
+
+/* In the order in which they ran: the net comes before the parts that do not fit it. */
+void lam_report_print_failed(const lam_report *report, FILE *out) {
+  for (int i = 0; i < report->stage_count; i++) {
+    const lam_stage *stage = &report->stages[i];
+    if (!stage->converged)
+      fprintf(out, "lamella: %s: %s: %s\n", stage->name,
+              stage->iterations >= 0 ? "not converged" : "failed", stage->reason);
+  }
+}

@@ -9,5 +9,8 @@
 void lam_report_print(const lam_report *report, bool timings, FILE *out);
 /* Writes count measures alone, a line each, indented by two. */
 void lam_measures_print(const lam_measure *measures, int count, FILE *out);
+/* Prints a line for every stage that did not converge or failed: what stays to be said when the
+ * rest is not wanted. */
+void lam_report_print_failed(const lam_report *report, FILE *out);
 
 #endif

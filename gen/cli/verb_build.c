@@ -45,7 +45,10 @@ static int write_model(lam_session *session, const lam_model *model,
     int told = lam_verb_status(session, status);
     return status == LAM_BAD_INPUT ? told : 1;
   }
-  if (!quiet) tell_result(model, &written, options);
+  if (quiet)
+    lam_report_print_failed(model->report, stderr);
+  else
+    tell_result(model, &written, options);
   return lam_report_converged(model->report) && !written.left_out ? 0 : 1;
 }
 

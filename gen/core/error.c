@@ -64,6 +64,37 @@ lam_status lam_errors_status(const lam_errors *errors) {
   return errors->status != LAM_OK ? errors->status : LAM_BAD_INPUT;
 }
 
+/* A key in another place of the design, such as net.grid, is no key of the path: it begins with a
+ * stage's name, and stays. */
+static bool is_path(const char *key) {
+  static const char *const stages[] = {"parts", "net", "surface", "sheets", "render", "plots"};
+  for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
+    size_t length = strlen(stages[i]);
+    if (strncmp(key, stages[i], length) == 0 && (!key[length] || strchr(".[", key[length])))
+      return true;
+  }
+  return false;
+}
+
+void lam_errors_prefix(lam_errors *errors, const lam_error *last, const char *path) {
+  for (lam_error *e = last ? last->next : errors->first; e; e = e->next)
+    if (!e->key)
+      e->key = lam_arena_copy(errors->arena, path);
+    else if (!is_path(e->key))
+      e->key = lam_arena_printf(errors->arena, "%s.%s", path, e->key);
+}
+
+lam_error *lam_errors_take(lam_errors *errors, lam_error *last) {
+  lam_error *taken = last ? last->next : errors->first;
+  for (const lam_error *e = taken; e; e = e->next) errors->count--;
+  if (last)
+    last->next = NULL;
+  else
+    errors->first = NULL;
+  errors->last = last;
+  return taken;
+}
+
 /* Declared in include/lamella/error.h. */
 const char *lam_status_text(lam_status status) {
   static const char *const texts[] = {

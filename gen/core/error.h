@@ -22,6 +22,12 @@ typedef struct lam_errors {
  * LAM_BAD_INPUT. */
 lam_status lam_errors_status(const lam_errors *errors);
 
+/* Puts the path of what was being made before the keys of all messages after `last` (NULL: all):
+ * "height" becomes "parts[0].height", no key "parts[0]"; a key that begins with the path stays. */
+void lam_errors_prefix(lam_errors *errors, const lam_error *last, const char *path);
+/* Takes all messages after `last` (NULL: all) out of the list; returns the first, or NULL. */
+lam_error *lam_errors_take(lam_errors *errors, lam_error *last);
+
 /* Adds a message, formatted as by printf.
  *
  *   location  where in the input; location.file may be NULL, line and column 0

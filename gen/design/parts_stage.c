@@ -6,26 +6,53 @@
 
 #include <math.h>
 
-/* The rows of parts in the order of the design: later ones may read what earlier ones made. Stops
- * at the first row that does not go together with the net. */
+/* What a row that failed has added to the workshop goes: half of a row is not to be made. Its stage
+ * stays, with what was measured until then; one is opened when there is none. */
+static bool fail_row(const lam_build *build, lam_workshop *workshop, const lam_workshop *before,
+                     const char *kind, lam_error *last) {
+  workshop->part_count = before->part_count;
+  workshop->crossing_count = before->crossing_count;
+  workshop->record_kind_count = before->record_kind_count;
+  workshop->surface_count = before->surface_count;
+  workshop->curve_count = before->curve_count;
+  workshop->lamella_grid = before->lamella_grid;
+
+  lam_stage *stage = workshop->stage_count > before->stage_count
+                         ? &workshop->stages[workshop->stage_count - 1]
+                         : lam_workshop_stage(workshop, kind);
+  return lam_build_stage_fail(build, stage, last);
+}
+
+/* Makes row i of the parts. */
+static bool make_row(const lam_build *build, lam_workshop *workshop, int i) {
+  const lam_list *parts = &build->design->parts;
+  const lam_row *row = (const lam_row *)parts->items + i;
+  const lam_part_kind *kind = (const lam_part_kind *)row->head;
+  lam_error *last = build->errors->last;
+  lam_workshop before = *workshop;
+  lam_progress_tell(build->progress, kind->head.name, (double)i / parts->count, "");
+
+  kind->make(workshop, row->params, row->location);
+  if (build->errors->last == last) return true;
+  lam_errors_prefix(build->errors, last, lam_arena_printf(build->arena, "parts[%d]", i));
+  return fail_row(build, workshop, &before, kind->head.name, last);
+}
+
+/* The rows of parts in the order of the design: later ones may read what earlier ones made. One
+ * that does not go together with the net fails, and the others are made. */
 bool lam_build_parts(lam_build *build, lam_workshop *workshop) {
   const lam_list *parts = &build->design->parts;
-  int before = build->errors->count;
   if (parts->count && !build->net) {
     lam_error_add(build->errors, ((const lam_row *)parts->items)->location, "parts",
                   "there is no net to make parts from");
     return false;
   }
 
-  for (int i = 0; i < parts->count; i++) {
-    const lam_row *row = (const lam_row *)parts->items + i;
-    const lam_part_kind *kind = (const lam_part_kind *)row->head;
-    lam_progress_tell(build->progress, kind->head.name, (double)i / parts->count, "");
-    kind->make(workshop, row->params, row->location);
-    if (build->errors->count > before) return false;
-  }
+  for (int i = 0; i < parts->count; i++)
+    if (!make_row(build, workshop, i)) return false;
 
-  if (parts->count) lam_workshop_clash(workshop);
+  int before = build->errors->count;
+  if (workshop->part_count) lam_workshop_clash(workshop);
   lam_build_check_written(workshop);
   return build->errors->count == before;
 }
@@ -51,13 +78,13 @@ bool lam_build_sheets(lam_build *build, const lam_workshop *workshop) {
   for (int i = 0; i < workshop->part_count; i++) any |= workshop->parts[i].flat != NULL;
   if (!any) return true;
 
-  int before = build->errors->count;
+  lam_error *last = build->errors->last;
   lam_stage *stage = lam_build_stage(build, "sheets");
   lam_sheet_options options = {
       {keys->stock[0], keys->stock[1]}, keys->kerf, keys->margin, keys->spacing};
   lam_sheets sheets = lam_sheets_make(build->arena, workshop->parts, workshop->part_count, options,
                                       (lam_location){.file = build->design->path}, build->errors);
-  if (build->errors->count > before) return false;
+  if (build->errors->last != last) return lam_build_stage_fail(build, stage, last);
 
   build->model->sheet_count = sheets.count;
   build->model->sheets = sheets.sheets;

@@ -32,23 +32,28 @@ typedef struct lam_build {
 
   /* Reported. */
   int stage_count;
-  lam_stage stages[4]; /* surface, net, texture, sheets; parts bring their own */
+  lam_stage stages[6]; /* surface, net, plots, texture, sheets; parts bring their own */
   double since;        /* when the last stage began (lam_clock_seconds) */
 } lam_build;
 
 /* ---- the report (stage_clock.c) ---- */
 
 /* Begins a stage of the report, tells whoever watches, and starts its time. name is kept by
- * pointer. At most four in a build; the stage stays where it is. */
+ * pointer. At most six in a build; the stage stays where it is. */
 lam_stage *lam_build_stage(lam_build *build, const char *name);
 /* Ends the stage that was begun last: sets its seconds. */
 void lam_build_stage_end(const lam_build *build, lam_stage *stage);
+/* Makes the messages after `last` (NULL: all) the verdict of a stage: it failed, for the first of
+ * them, and the others are its notes. They are no messages of the build any more. What is no fault
+ * of the input (a file that cannot be read) stays one: false then. */
+bool lam_build_stage_fail(const lam_build *build, lam_stage *stage, lam_error *last);
 
 /* ---- the stages ----
  *
  * Called by pipeline_run.c: surface, net, maps, keep_surface, print, parts, keep_lines, sheets.
  * Each bool is false, with messages, when the input is wrong, and true also when the design does
- * not have what the stage makes. */
+ * not have what the stage makes. After the net, what does not go together with it is no message,
+ * but a stage that failed: all else is made and delivered. */
 
 /* surface_stage.c: makes the surface of the design. */
 bool lam_build_surface(lam_build *build);

@@ -52,5 +52,19 @@ check "a film that is stationary to less than its knots allow converges" [ $stat
 check "and the report estimates how far above the least area it is" \
   within "$(measure wavy-film surface area_excess mean)" 1e-4 2e-3
 
+# A part that does not fit the net is a stage that failed, after the others and before those behind it.
+stages() { perl -MJSON::PP -e 'local $/; open my $f, "<", shift or die; print join " ", map { "$_->{stage}:" . ($_->{converged} ? "yes" : "no") }
+  @{decode_json(<$f>)->{stages}}' "$work/$1/report.json"; }
+build late --only report,stl,dxf
+check "a part that does not fit is status 1" [ $status = 1 ]
+check "the report has all that ran, the net first" [ "$(stages late)" = "net: asymptotic:no lamellas:yes node-connector:no bars:yes clash:no sheets:yes" ]
+check "the net's verdict stands first in the table, too" [ "$(grep -nE 'CONVERGED|FAILED' "$work/late.out" | sed 's/:.*CONV.*/ net/;s/:.*FAILED.*/ part/' | head -2 | cut -d' ' -f2 | tr '\n' ' ')" = "net part " ]
+check "with key and line of what does not fit" grep -q 'node-connector: FAILED: parts\[1\].arm: 5 mm does not reach .* (line 8)$' "$work/late.out"
+check "the other parts are written" [ -e "$work/late/parts/A01a.stl" -a -e "$work/late/assembly.stl" ]
+check "and no half of the one that failed" [ -z "$(ls "$work/late/parts" | grep -i -E 'washer|bolt')" ]
+build late --quiet
+check "--quiet leaves what failed" grep -q '^lamella: node-connector: failed: parts' "$work/late.err"
+check "in the order of the stages" grep -q '^lamella: net: asymptotic: not converged' <(head -1 "$work/late.err")
+
 echo "1..$count"
 exit $failed
