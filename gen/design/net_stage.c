@@ -217,7 +217,6 @@ static void report_net(const lam_build *build, const lam_net_kind *kind,
 static bool solve_net(lam_build *build, const lam_net_kind *kind, const lam_net_common *common) {
   const lam_design *design = build->design;
   lam_stage *stage = lam_build_stage(build, "net");
-  if (!lam_net_method_check(kind, common, design->net.location, build->errors)) return false;
   lam_net_job job = {.kind = kind,
                      .params = design->net.params,
                      .common = common,
@@ -276,6 +275,22 @@ static void keep_net(lam_build *build) {
   build->model->polylines = net->polylines;
 }
 
+/* net is set even where making it fails: the build ends then. */
+bool lam_build_start(lam_build *build) {
+  const lam_design *design = build->design;
+  const lam_net_kind *kind = (const lam_net_kind *)design->net.head;
+  const lam_net_common *common = kind ? design->net.common : NULL;
+  if (!kind && !design->surface.head) return true;
+
+  lam_mesh mesh;
+  lam_location location = kind ? design->net.location : design->surface.location;
+  build->net = LAM_NEW(build->arena, lam_net, 1);
+  if (kind && !lam_net_method_check(kind, common, location, build->errors)) return false;
+  if (!initial_mesh(build, kind, common, &mesh)) return false;
+  build->sampled = mesh.vertex_count;
+  return refine(build, &mesh, common, location);
+}
+
 /* A design without a net gets the plain mesh of its surface, which is not solved. */
 bool lam_build_net(lam_build *build) {
   const lam_design *design = build->design;
@@ -283,14 +298,7 @@ bool lam_build_net(lam_build *build) {
   const lam_net_common *common = kind ? design->net.common : NULL;
   if (!kind && !design->surface.head) return true; /* nothing but sheets or a picture */
 
-  /* net is set even where making it fails: the build ends then. */
-  lam_mesh mesh;
-  lam_location location = kind ? design->net.location : design->surface.location;
-  build->net = LAM_NEW(build->arena, lam_net, 1);
-  if (!initial_mesh(build, kind, common, &mesh)) return false;
-  build->sampled = mesh.vertex_count;
-  if (!refine(build, &mesh, common, location)) return false;
-
+  if (!lam_build_start(build)) return false;
   if (kind) {
     if (common->noise > 0) {
       double mean = lam_net_mean_edge(build->net, build->net->mesh.vertices);

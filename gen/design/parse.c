@@ -3,6 +3,7 @@
 #include "design/design.h"
 #include "design/fill.h"
 #include "design/tree.h"
+#include "fab/workshop.h"
 #include "net/handles.h"
 #include "surf/placement.h"
 
@@ -100,6 +101,18 @@ static bool has_message(const lam_errors *errors, const char *key) {
   return false;
 }
 
+/* Keys of parts that do not go together: told with the row they are in. */
+static void check_parts(const lam_filler *filler, const lam_design *design) {
+  const lam_row *rows = design->parts.items;
+  for (int i = 0; i < design->parts.count; i++) {
+    const lam_part_kind *kind = (const lam_part_kind *)rows[i].head;
+    const lam_error *last = filler->errors->last;
+    if (!kind->check) continue;
+    kind->check(rows, i, filler->errors);
+    lam_errors_prefix(filler->errors, last, lam_arena_printf(filler->arena, "parts[%d]", i));
+  }
+}
+
 /* Where to point to when the setting is not there: at the key, at `render`, or at the design. */
 static lam_location location_of_setting(const lam_node *root) {
   const lam_node *render = find(root, "render"), *setting = find(render, "setting");
@@ -119,6 +132,7 @@ static void check_root(const lam_filler *filler, const lam_node *root, const lam
     lam_handles_check(design->net.common, design->net.location, filler->errors);
   if (design->surface.head && !has_message(filler->errors, "surface"))
     lam_placement_keys_check(design->surface.common, design->surface.location, filler->errors);
+  if (!has_message(filler->errors, "parts")) check_parts(filler, design);
 }
 
 /* Everything is checked before it returns, so that all mistakes are shown at once. */

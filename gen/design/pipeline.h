@@ -19,4 +19,9 @@
 bool lam_pipeline_run(lam_arena *arena, const lam_design *design, const lam_inputs *inputs,
                       const lam_progress *progress, lam_errors *errors, lam_model *model);
 
+/* Makes the surface and the net's start alone, to see what is wrong with them before anything is
+ * solved. Arguments and result as above. */
+bool lam_pipeline_check(lam_arena *arena, const lam_design *design, const lam_inputs *inputs,
+                        lam_errors *errors);
+
 #endif

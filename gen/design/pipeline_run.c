@@ -101,3 +101,12 @@ bool lam_pipeline_run(lam_arena *arena, const lam_design *design, const lam_inpu
   collect_report(&build, workshop);
   return true;
 }
+
+/* The model is made only because the stages write into one. */
+bool lam_pipeline_check(lam_arena *arena, const lam_design *design, const lam_inputs *inputs,
+                        lam_errors *errors) {
+  lam_model model = {.name = design->name};
+  lam_build build = {
+      .arena = arena, .design = design, .inputs = inputs, .errors = errors, .model = &model};
+  return lam_build_surface(&build) && lam_build_start(&build);
+}

@@ -55,6 +55,9 @@ bool lam_build_stage_fail(const lam_build *build, lam_stage *stage, lam_error *l
  * not have what the stage makes. After the net, what does not go together with it is no message,
  * but a stage that failed: all else is made and delivered. */
 
+/* net_stage.c: makes the net's start alone, unless the design has neither net nor surface. Called
+ * by lam_build_net, and where a design is only checked. */
+bool lam_build_start(lam_build *build);
 /* surface_stage.c: makes the surface of the design. */
 bool lam_build_surface(lam_build *build);
 /* ---- the local origin (local_origin.c) ----

@@ -46,6 +46,9 @@ typedef struct lam_part_kind {
    * with defaults filled in; location: of the row, for messages. On wrong input adds to
    * workshop->errors and returns; parts added before that stay. */
   void (*make)(lam_workshop *workshop, const void *params, lam_location location);
+  /* Adds a message for keys of row i that go together neither with each other nor with the rows
+   * before it, on whatever net. May be NULL: any keys do. */
+  void (*check)(const lam_row *rows, int i, lam_errors *errors);
 } lam_part_kind;
 
 /* All kinds of parts (fab/parts/part_kinds.c), read by design/design_keys.c and

@@ -7,17 +7,32 @@
 #include "library/new_files.h"
 #include "library/sources.h"
 #include "library/templates.h"
+#include "net/net_kind.h"
 
 #include <string.h>
 
 /* ---- reading ---- */
 
-/* Parses a design and checks what it names; make: makes the surface too. *out is set when there was
- * nothing to complain about. */
+/* What only shows when surface and start are made from what the design names. */
+static void check_start(lam_session *session, const lam_design *design) {
+  lam_origin *origin = LAM_NEW(session->arena, lam_origin, 1);
+  lam_inputs inputs;
+  if (lam_sources_read(session, design, origin, &inputs))
+    lam_pipeline_check(session->arena, design, &inputs, &session->errors);
+}
+
+/* Parses a design and checks what it names; make: makes surface and start too. *out is set when
+ * there was nothing to complain about. */
 static lam_status read_design(lam_session *session, const lam_design_source *source, bool make,
                               const lam_design **out) {
   lam_design *design = LAM_NEW(session->arena, lam_design, 1);
-  if (lam_source_parse(session, source, design)) lam_sources_check(session, design, make);
+  if (lam_source_parse(session, source, design)) {
+    /* Where the net starts from another design's, that one would have to be solved first. */
+    const lam_net_common *net = design->net.head ? design->net.common : NULL;
+    bool start = make && !(net && net->from.design);
+    lam_sources_check(session, design, make && !start);
+    if (start && !session->errors.count) check_start(session, design);
+  }
   if (!session->errors.count) *out = design;
   return LAM_OK;
 }

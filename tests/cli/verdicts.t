@@ -59,7 +59,7 @@ build late --only report,stl,dxf
 check "a part that does not fit is status 1" [ $status = 1 ]
 check "the report has all that ran, the net first" [ "$(stages late)" = "net: asymptotic:no lamellas:yes node-connector:no bars:yes clash:no sheets:yes" ]
 check "the net's verdict stands first in the table, too" [ "$(grep -nE 'CONVERGED|FAILED' "$work/late.out" | sed 's/:.*CONV.*/ net/;s/:.*FAILED.*/ part/' | head -2 | cut -d' ' -f2 | tr '\n' ' ')" = "net part " ]
-check "with key and line of what does not fit" grep -q 'node-connector: FAILED: parts\[1\].arm: 5 mm does not reach .* (line 8)$' "$work/late.out"
+check "with key and line of what does not fit" grep -q 'node-connector: FAILED: parts\[1\].arm: 20 mm does not reach .* (line 8)$' "$work/late.out"
 check "the other parts are written" [ -e "$work/late/parts/A01a.stl" -a -e "$work/late/assembly.stl" ]
 check "and no half of the one that failed" [ -z "$(ls "$work/late/parts" | grep -i -E 'washer|bolt')" ]
 build late --quiet

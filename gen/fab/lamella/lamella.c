@@ -51,29 +51,52 @@ static const lam_key keys[] = {
     {0}};
 
 /* ---- checks of keys taken together ---- */
-/* Messages for keys that fit their ranges but not each other, or not the net. */
-static void check_keys(lam_workshop *shop, const lam_lamella_keys *k, lam_location location) {
+/* Messages for keys that fit their ranges but not each other. */
+static void check_keys(const lam_lamella_keys *k, lam_location location, lam_errors *errors) {
   const int *family = k->families.items;
   double needed = k->thickness + 2 * k->joint.clearance;
 
   if (k->families.count < 1 || k->families.count > 2 ||
       (k->families.count == 2 && family[0] == family[1]))
-    lam_error_add(shop->errors, location, "families", "expected [0], [1] or [0, 1]");
+    lam_error_add(errors, location, "families", "expected [0], [1] or [0, 1]");
 
   if (k->pair > 0 && k->pair < needed)
     lam_error_add(
-        shop->errors, location, "pair",
+        errors, location, "pair",
         "%g mm is less than the thickness and twice the clearance: expected 0 or at least %g mm",
         k->pair * 1e3, needed * 1e3);
 
   if (k->height < 8 * k->joint.clearance)
-    lam_error_add(shop->errors, location, "joint.clearance",
+    lam_error_add(errors, location, "joint.clearance",
                   "%g mm is too much for a height of %g mm: expected at most %g mm",
                   k->joint.clearance * 1e3, k->height * 1e3, k->height / 8 * 1e3);
   if (k->height < k->thickness)
-    lam_error_add(shop->errors, location, "height", "%g mm is less than the thickness of %g mm",
+    lam_error_add(errors, location, "height", "%g mm is less than the thickness of %g mm",
                   k->height * 1e3, k->thickness * 1e3);
+}
 
+static bool has_family(const lam_lamella_keys *k, int family) {
+  for (int i = 0; i < k->families.count; i++)
+    if (((const int *)k->families.items)[i] == family) return true;
+  return false;
+}
+
+/* A family has its lamellas once. */
+static void check_row(const lam_row *rows, int i, lam_errors *errors) {
+  const lam_lamella_keys *k = rows[i].params;
+  check_keys(k, rows[i].location, errors);
+
+  for (int family = 0; family < 2; family++)
+    for (int before = 0; before < i && has_family(k, family); before++) {
+      if (rows[before].head != rows[i].head || !has_family(rows[before].params, family)) continue;
+      lam_error_add(errors, rows[i].location, "families",
+                    "family %d has lamellas already, by parts[%d]; expected the other one", family,
+                    before);
+    }
+}
+
+/* Lamellas are slotted from two sides. */
+static void check_net(lam_workshop *shop, lam_location location) {
   if (shop->net->family_conflicts)
     lam_error_add(shop->errors, location, NULL,
                   "the polylines of this net do not fall into two families (%d edges in "
@@ -247,7 +270,8 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   lam_lamella_grid *grid = LAM_NEW(shop->arena, lam_lamella_grid, 1);
   int before = shop->errors->count;
 
-  check_keys(shop, k, location);
+  check_keys(k, location, shop->errors);
+  check_net(shop, location);
   if (shop->errors->count > before ||
       !lam_lamella_layout(shop, k, location, shop->part_count, grid))
     return;
@@ -293,4 +317,5 @@ const lam_part_kind lam_part_lamella = {
              .source = "thesis 2.1, 3.2.4, fig. 3.21",
              .keys = keys,
              .params_size = sizeof(lam_lamella_keys)},
-    .make = make};
+    .make = make,
+    .check = check_row};

@@ -67,4 +67,7 @@ typedef struct lam_lamella_grid {
   const lam_material *material;
 } lam_lamella_grid;
 
+/* The kind of part that makes grids; node_connector.c looks for its rows. */
+extern const struct lam_part_kind lam_part_lamella;
+
 #endif

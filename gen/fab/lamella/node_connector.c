@@ -3,7 +3,7 @@
 #include "core/numbers.h"
 #include "core/solid/triangles.h"
 #include "fab/flat/path.h"
-#include "fab/lamella/lamella.h"
+#include "fab/lamella/lamella_make.h"
 #include "fab/turned.h"
 #include "fab/workshop.h"
 
@@ -190,36 +190,69 @@ static void add_bolts(lam_workshop *shop, const lam_lamella_grid *grid, const co
 
 /* ---- the row ---- */
 
-/* Messages for sizes that do not fit the grid. The bolt needs the open square between the sheets;
- * arms must reach over the crossings of the sheets, which lie at most d / sin(a/2) from the node,
- * d half the distance of the sheets and a the smaller of the two angles there; and arms must be
- * longer than the head of the bolt is wide. */
-static void check(lam_workshop *shop, const lam_lamella_grid *grid, const connector_keys *k,
-                  lam_location location) {
-  double room = grid->pair - grid->thickness, bolt = bolts[k->bolt].diameter * mm, reach = 0;
+/* How far arms must reach: over the crossings of the sheets, which lie d / sin(a/2) from the node,
+ * d half the distance of the sheets and a the smaller of the two angles between them. */
+static double reach_at(double pair, double thickness, double angle) {
+  return pair / 2 / sin(fmin(angle, LAM_PI - angle) / 2) + thickness;
+}
 
+/* The message for arms that do not reach so far, and whether there is one. */
+static bool refuse_arm(const connector_keys *k, double reach, lam_location location,
+                       lam_errors *errors) {
+  if (k->arm >= reach) return false;
+  lam_error_add(
+      errors, location, "arm",
+      "%g mm does not reach over the crossings of the sheets: at least %.1f mm are needed",
+      k->arm * 1e3, reach * 1e3);
+  return true;
+}
+
+/* Messages for sizes that do not fit pairs of sheets: the bolt needs the open square between them,
+ * and arms must be longer than its head is wide. */
+static void check_sizes(const connector_keys *k, double pair, double thickness,
+                        lam_location location, lam_errors *errors) {
+  double room = pair - thickness, bolt = bolts[k->bolt].diameter * mm;
   if (room < bolt + 1e-3)
-    lam_error_add(shop->errors, location, "bolt",
+    lam_error_add(errors, location, "bolt",
                   "%s does not fit between sheets that leave %.1f mm: at least %.1f mm are needed, "
                   "so a pair of at least %.1f mm",
                   bolt_names[k->bolt], room * 1e3, (bolt + 1e-3) * 1e3,
-                  (bolt + 1e-3 + grid->thickness) * 1e3);
-
-  for (int i = 0; i < grid->node_count; i++) {
-    double a = fmin(grid->nodes[i].angle, LAM_PI - grid->nodes[i].angle);
-    reach = fmax(reach, grid->pair / 2 / sin(a / 2) + grid->thickness);
-  }
-
-  if (k->arm < reach)
-    lam_error_add(
-        shop->errors, location, "arm",
-        "%g mm does not reach over the crossings of the sheets: at least %.1f mm are needed",
-        k->arm * 1e3, reach * 1e3);
+                  (bolt + 1e-3 + thickness) * 1e3);
 
   if (k->arm < bolts[k->bolt].across_flats * mm)
-    lam_error_add(shop->errors, location, "arm",
+    lam_error_add(errors, location, "arm",
                   "%g mm is too short for the head of %s: at least %g mm are needed", k->arm * 1e3,
                   bolt_names[k->bolt], bolts[k->bolt].across_flats);
+}
+
+/* Messages for sizes that do not fit the grid. */
+static void check_grid(lam_workshop *shop, const lam_lamella_grid *grid, const connector_keys *k,
+                       lam_location location) {
+  double reach = 0;
+  for (int i = 0; i < grid->node_count; i++)
+    reach = fmax(reach, reach_at(grid->pair, grid->thickness, grid->nodes[i].angle));
+  refuse_arm(k, reach, location, shop->errors);
+  check_sizes(k, grid->pair, grid->thickness, location, shop->errors);
+}
+
+static const char needs_pairs[] =
+    "node-connector needs paired lamellas of both families before it: a lamella row with pair and "
+    "families [0, 1]";
+
+/* Nodes are those of the last lamella row; no sheets cross at more than a right angle. */
+static void check(const lam_row *rows, int i, lam_errors *errors) {
+  int last = i - 1;
+  while (last >= 0 && rows[last].head != &lam_part_lamella.head) last--;
+  const lam_lamella_keys *lamella = last >= 0 ? rows[last].params : NULL;
+  if (!lamella || !(lamella->pair > 0) || lamella->families.count != 2) {
+    lam_error_add(errors, rows[i].location, "kind", "%s", needs_pairs);
+    return;
+  }
+
+  const connector_keys *k = rows[i].params;
+  double least = reach_at(lamella->pair, lamella->thickness, LAM_PI / 2);
+  refuse_arm(k, least, rows[i].location, errors);
+  check_sizes(k, lamella->pair, lamella->thickness, rows[i].location, errors);
 }
 
 /* Needs the last lamella grid of the workshop, in pairs and with crossings. */
@@ -228,13 +261,11 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   const lam_lamella_grid *grid = shop->lamella_grid;
   int before = shop->errors->count;
   if (!grid || !(grid->pair > 0) || !grid->node_count) {
-    lam_error_add(shop->errors, location, "kind",
-                  "node-connector needs paired lamellas of both families before it: a lamella row "
-                  "with pair and families [0, 1]");
+    lam_error_add(shop->errors, location, "kind", "%s", needs_pairs);
     return;
   }
 
-  check(shop, grid, k, location);
+  check_grid(shop, grid, k, location);
   if (shop->errors->count > before) return;
   add_washers(shop, grid, k);
   add_bolts(shop, grid, k);
@@ -267,4 +298,5 @@ const lam_part_kind lam_part_node_connector = {
              .source = "thesis 2.1",
              .keys = keys,
              .params_size = sizeof(connector_keys)},
-    .make = make};
+    .make = make,
+    .check = check};

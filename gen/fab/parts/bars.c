@@ -284,15 +284,16 @@ static void report(bar_set *set, int first) {
     lam_stage_note(shop->arena, stage, "%ld edges are too short for a bar", set->skipped);
 }
 
+static void check(const lam_row *rows, int i, lam_errors *errors) {
+  const bars_keys *k = rows[i].params;
+  if (k->wall > k->diameter / 2)
+    lam_error_add(errors, rows[i].location, "wall", "%g mm is more than half the diameter of %g mm",
+                  k->wall * 1e3, k->diameter * 1e3);
+}
+
 /* Bars of a row are named by a letter and their number. */
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const bars_keys *k = params;
-  if (k->wall > k->diameter / 2) {
-    lam_error_add(shop->errors, location, "wall", "%g mm is more than half the diameter of %g mm",
-                  k->wall * 1e3, k->diameter * 1e3);
-    return;
-  }
-
   bar_set set = make_set(shop, k);
   if (!set.count) {
     lam_error_add(shop->errors, location, "diameter",
@@ -349,4 +350,5 @@ const lam_part_kind lam_part_bars = {
              .source = NULL,
              .keys = keys,
              .params_size = sizeof(bars_keys)},
-    .make = make};
+    .make = make,
+    .check = check};

@@ -182,6 +182,13 @@ static void tell(lam_workshop *shop, lam_stage *stage, const summary *s, const c
 }
 
 /* Rings first, then balls; nothing at all to make is an error. */
+static void check(const lam_row *rows, int i, lam_errors *errors) {
+  const circles_keys *k = rows[i].params;
+  if (k->circles == CIRCLES_NONE && !k->spheres)
+    lam_error_add(errors, rows[i].location, "spheres",
+                  "nothing to make: circles: none and spheres: no");
+}
+
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const circles_keys *k = params;
   const lam_mesh *mesh = &shop->net->mesh;
@@ -191,10 +198,8 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   if (k->spheres) balls = add_parts(shop, k, vertex_spheres(shop), mesh->vertex_count, true);
 
   if (!rings.count && !balls.count) {
-    lam_error_add(shop->errors, location, k->circles == CIRCLES_NONE ? "spheres" : "width",
-                  k->circles == CIRCLES_NONE && !k->spheres
-                      ? "nothing to make: circles: none and spheres: no"
-                      : "no circle is large enough for rings of this width and gap; expected less");
+    lam_error_add(shop->errors, location, "width",
+                  "no circle is large enough for rings of this width and gap; expected less");
     return;
   }
 
@@ -243,4 +248,5 @@ const lam_part_kind lam_part_circles = {
              .source = "thesis 3.5.1 and 3.5.3, figures 3.44 and 3.50",
              .keys = keys,
              .params_size = sizeof(circles_keys)},
-    .make = make};
+    .make = make,
+    .check = check};

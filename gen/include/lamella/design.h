@@ -35,8 +35,9 @@ typedef struct lam_design_source {
  *   LAM_NO_MEMORY */
 LAM_API lam_status lam_design_read(lam_session *session, const lam_design_source *source,
                                    const lam_design **design);
-/* The same, and makes the surface, which shows mistakes that keys have only together. This may take
- * as long as computing the surface. Statuses as above; LAM_IO also for the surface's file. */
+/* The same, and makes the surface and the net's start (unless that is the net of another design),
+ * which shows mistakes that keys have only together. This may take as long as computing the
+ * surface. Statuses as above; LAM_IO also for the files that are named. */
 LAM_API lam_status lam_design_check(lam_session *session, const lam_design_source *source,
                                     const lam_design **design);
 
