@@ -79,6 +79,14 @@ static inline void fixture_make(lam_workshop *shop, const char *kind, const void
   row->make(shop, keys, (lam_location){"test", 1, 1});
 }
 
+/* What is done with a row that stands alone in a design: its keys are checked, then it is made. */
+static inline void fixture_row(lam_workshop *shop, const lam_part_kind *kind, void *params) {
+  const lam_row row = {.head = &kind->head, .params = params, .location = {"test", 1, 1}};
+  int before = shop->errors->count;
+  if (kind->check) kind->check(&row, 0, shop->errors);
+  if (shop->errors->count == before) kind->make(shop, params, row.location);
+}
+
 static inline const lam_measure *fixture_measure(const lam_workshop *shop, const char *stage,
                                                  const char *name) {
   for (int i = 0; i < shop->stage_count; i++)

@@ -163,7 +163,7 @@ static void a_wall_thicker_than_the_bar_is_an_error(void **state) {
   lam_workshop shop = fixture_workshop(*state, &mesh);
   bars_keys keys = row_keys();
   keys.wall = 0.05;
-  fixture_make(&shop, "bars", &keys);
+  fixture_row(&shop, (const lam_part_kind *)lam_registry_find(&lam_part_kinds, "bars"), &keys);
   assert_int_equal(shop.errors->count, 1);
   assert_string_equal(shop.errors->first->key, "wall");
 }

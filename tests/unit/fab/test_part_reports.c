@@ -15,7 +15,7 @@ static void make(lam_workshop *shop, const char *kind, const char *text) {
   void *params = lam_arena_alloc(shop->arena, 1, row->head.params_size);
   assert_true(
       lam_keys_parse(shop->arena, row->head.keys, text, strlen(text), NULL, shop->errors, params));
-  row->make(shop, params, (lam_location){"test", 1, 1});
+  fixture_row(shop, row, params);
 }
 
 static void assert_told(const lam_workshop *shop, const char *stage, const char *name,

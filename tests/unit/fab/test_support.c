@@ -13,7 +13,7 @@ static void make(lam_workshop *shop, const char *kind, const char *text) {
   assert_non_null(row);
   void *params = lam_arena_alloc(shop->arena, 1, row->head.params_size);
   lam_keys_parse(shop->arena, row->head.keys, text, strlen(text), NULL, shop->errors, params);
-  row->make(shop, params, (lam_location){"test", 1, 1});
+  fixture_row(shop, row, params);
 }
 
 /* A prism of n sides and radius 1, three rings 1 apart. */
