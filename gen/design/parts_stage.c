@@ -1,6 +1,7 @@
 /* The stages that make parts and nest them on sheets; lines of the net stand in for axes of parts.
  * Called by pipeline_run.c. */
 #include "design/stages.h"
+#include "fab/part_names.h"
 #include "fab/flat/sheet.h"
 #include "fab/lamella/lamella_checks.h"
 
@@ -33,6 +34,9 @@ static bool make_row(const lam_build *build, lam_workshop *workshop, int i) {
   lam_progress_tell(build->progress, kind->head.name, (double)i / parts->count, "");
 
   kind->make(workshop, row->params, row->location);
+  const char *twice = lam_part_name_twice(workshop);
+  if (twice)
+    lam_error_add(build->errors, row->location, "kind", "%s is the name of two parts", twice);
   if (build->errors->last == last) return true;
   lam_errors_prefix(build->errors, last, lam_arena_printf(build->arena, "parts[%d]", i));
   return fail_row(build, workshop, &before, kind->head.name, last);

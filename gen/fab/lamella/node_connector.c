@@ -4,6 +4,7 @@
 #include "core/solid/triangles.h"
 #include "fab/flat/path.h"
 #include "fab/lamella/lamella_make.h"
+#include "fab/part_names.h"
 #include "fab/turned.h"
 #include "fab/workshop.h"
 
@@ -131,7 +132,8 @@ static void add_washers(lam_workshop *shop, const lam_lamella_grid *grid, const 
   const double *hole = circle(shop->arena, n, bolts[k->bolt].hole * mm / 2);
   const lam_turned_line lines[] = {{low, radius}, {high, radius}, {high, hole}, {low, hole}};
 
-  lam_part part = {.name = lam_arena_printf(shop->arena, "washer-%s", bolt_names[k->bolt])};
+  const char *name = lam_arena_printf(shop->arena, "washer-%s", bolt_names[k->bolt]);
+  lam_part part = {.name = lam_part_name(shop, name)};
   part.solid = lam_turned_solid(shop->arena, angle, n, lines, 4, NULL);
 
   part.instance_count = 2 * grid->node_count;
@@ -169,7 +171,8 @@ static void add_bolts(lam_workshop *shop, const lam_lamella_grid *grid, const co
                                    {outer, hexagonal},
                                    {outer + bolts[k->bolt].head * mm, hexagonal}};
 
-  lam_part part = {.name = lam_arena_printf(shop->arena, "bolt-%s", bolt_names[k->bolt])};
+  const char *name = lam_arena_printf(shop->arena, "bolt-%s", bolt_names[k->bolt]);
+  lam_part part = {.name = lam_part_name(shop, name)};
   const double poles[2] = {lines[0].z, lines[sizeof lines / sizeof lines[0] - 1].z};
   part.solid =
       lam_turned_solid(shop->arena, angle, corners, lines, sizeof lines / sizeof lines[0], poles);

@@ -4,6 +4,7 @@
 #include "core/solid/convex.h"
 #include "core/solid/triangles.h"
 #include "fab/material.h"
+#include "fab/part_names.h"
 #include "fab/workshop.h"
 
 #include <stdlib.h>
@@ -189,15 +190,6 @@ static lam_trimesh bar_solid(bar_set *set, int bar) {
 
 /* ---- parts ---- */
 
-/* E for the first row of bars of a design, F for the second ... */
-static char row_letter(const lam_workshop *shop) {
-  char letter = 'E';
-  for (int i = 0; i < shop->part_count; i++)
-    if (strcmp(shop->parts[i].kind, "bars") == 0 && shop->parts[i].name[0] >= letter)
-      letter = (char)(shop->parts[i].name[0] + 1);
-  return letter > 'O' ? 'O' : letter;
-}
-
 /* The share of the section that is material. */
 static double fullness(const bars_keys *k, double size) {
   double inside = k->wall > 0 ? fmax(0, 1 - 2 * k->wall / size) : 0;
@@ -291,7 +283,7 @@ static void check(const lam_row *rows, int i, lam_errors *errors) {
                   k->wall * 1e3, k->diameter * 1e3);
 }
 
-/* Bars of a row are named by a letter and their number. */
+/* Bars of a row are named by its letters, from E on, and their number. */
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const bars_keys *k = params;
   bar_set set = make_set(shop, k);
@@ -304,10 +296,10 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   }
 
   int first = shop->part_count, digits = 1;
-  char letter = row_letter(shop);
+  const char *letters = lam_part_letters(shop, 'E');
   for (int e = set.count; e >= 10; e /= 10) digits++;
   for (int i = 0; i < set.count; i++) {
-    const char *name = lam_arena_printf(shop->arena, "%c%0*d", letter, digits, i + 1);
+    const char *name = lam_arena_printf(shop->arena, "%s%0*d", letters, digits, i + 1);
     lam_progress_tell(shop->progress, "bars", (double)i / set.count, name);
     add_part(&set, i, name);
   }

@@ -3,6 +3,7 @@
  * surf/flatten. */
 #include "core/solid/triangles.h"
 #include "fab/flat/lettering.h"
+#include "fab/part_names.h"
 #include "fab/workshop.h"
 #include "surf/flatten/flatten.h"
 
@@ -198,7 +199,7 @@ static const char *sheet_name(const lam_workshop *shop) {
   int number = 1;
   for (int i = 0; i < shop->part_count; i++)
     number += strcmp(shop->parts[i].kind, "flat-pattern") == 0;
-  return lam_arena_printf(shop->arena, "F%d", number);
+  return lam_part_name(shop, lam_arena_printf(shop->arena, "F%d", number));
 }
 
 /* Lays the net flat: its mesh, where its vertices come to lie, and the loop of its boundary. False,

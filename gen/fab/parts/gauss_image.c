@@ -6,6 +6,7 @@
  * cone, so that they lie on a circle: the image of a conical net is a circular net (thesis
  * 3.5.2). */
 #include "core/solid/triangles.h"
+#include "fab/part_names.h"
 #include "fab/turned.h"
 #include "fab/workshop.h"
 #include "mesh/offset.h"
@@ -38,8 +39,11 @@ static void turn_outward(lam_mesh *image) {
 
 /* The sphere itself, to be looked at: a ball around the center. */
 static void add_ball(lam_workshop *shop, const image_keys *k, lam_vec3 center) {
-  lam_part part = {
-      .name = "gauss-sphere", .kind = "gauss-image", .family = -1, .group = -1, .drawn = true};
+  lam_part part = {.name = lam_part_name(shop, "gauss-sphere"),
+                   .kind = "gauss-image",
+                   .family = -1,
+                   .group = -1,
+                   .drawn = true};
   part.material = &lam_materials[k->material];
   part.solid = lam_ball(shop->arena, k->radius);
   for (int v = 0; v < part.solid.vertex_count; v++)

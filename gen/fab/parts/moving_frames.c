@@ -1,6 +1,7 @@
 /* The row `frames`: the moving frame along the boundary of spline surfaces, as small plates with
  * a pin. Called through the registry (part_kinds.c) by design/parts_stage.c. */
 #include "fab/mesh_fill.h"
+#include "fab/part_names.h"
 #include "fab/workshop.h"
 #include "surf/spline/spline_surface.h"
 
@@ -112,7 +113,7 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
     return;
   }
 
-  lam_part part = {.name = "T1",
+  lam_part part = {.name = lam_part_name(shop, "T1"),
                    .kind = "frames",
                    .family = -1,
                    .group = -1,

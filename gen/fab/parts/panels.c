@@ -1,6 +1,7 @@
 /* The row `panels`: a plate on every face of the net. Called through the registry (part_kinds.c)
  * by design/parts_stage.c; the geometry of a plate stands in panel.c. */
 #include "core/solid/triangles.h"
+#include "fab/part_names.h"
 #include "fab/parts/panel.h"
 #include "fab/workshop.h"
 
@@ -108,15 +109,6 @@ static panel_set make_set(lam_workshop *shop, const panels_keys *k) {
 
 /* ---- parts ---- */
 
-/* P for the first row of panels of a design, Q for the second ... */
-static char row_letter(const lam_workshop *shop) {
-  char letter = 'P';
-  for (int i = 0; i < shop->part_count; i++)
-    if (strcmp(shop->parts[i].kind, "panels") == 0 && shop->parts[i].name[0] >= letter)
-      letter = (char)(shop->parts[i].name[0] + 1);
-  return letter > 'Z' ? 'Z' : letter;
-}
-
 /* The part of panel i; a twisted panel has no flat pattern. The area is that of a plate of this
  * volume. */
 static lam_part *add_part(lam_workshop *shop, const panel_set *set, int i, const char *name,
@@ -217,7 +209,7 @@ static void report(lam_workshop *shop, const panel_set *set, int first, int clas
   add_notes(shop, stage, set, twisted, warp.max);
 }
 
-/* Panels of a row are named by a letter and the number of their face in the net. */
+/* Panels of a row are named by its letters, from P on, and the number of their face. */
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const panels_keys *k = params;
   panel_set set = make_set(shop, k);
@@ -233,10 +225,10 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   int classes =
       lam_panel_classes(shop->arena, set.panels, set.count, lam_workshop_next_class(shop), class);
 
-  char letter = row_letter(shop);
+  const char *letters = lam_part_letters(shop, 'P');
   for (int f = shop->net->mesh.face_count; f >= 10; f /= 10) digits++;
   for (int i = 0; i < set.count; i++) {
-    const char *name = lam_arena_printf(shop->arena, "%c%0*d", letter, digits, set.face[i] + 1);
+    const char *name = lam_arena_printf(shop->arena, "%s%0*d", letters, digits, set.face[i] + 1);
     lam_progress_tell(shop->progress, "panels", (double)i / set.count, name);
     add_part(shop, &set, i, name, class[i]);
   }

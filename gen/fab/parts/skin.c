@@ -3,6 +3,7 @@
 #include "fab/parts/skin.h"
 #include "core/numbers.h"
 #include "core/solid/triangles.h"
+#include "fab/part_names.h"
 #include "fab/workshop.h"
 
 #include <string.h>
@@ -147,22 +148,21 @@ static void add_part(skin *s, const lam_skin_mesh *mesh, const int *piece, int n
   lam_workshop_part(shop, part);
 }
 
-/* Parts for all pieces, numbered on from earlier rows of skins, and their measures. Pieces are
- * what hangs together, or the cells one by one. */
+/* Parts for all pieces, named by the row's letters, from S on, and their number, and their
+ * measures. Pieces are what hangs together, or the cells one by one. */
 static void add_parts(skin *s, const lam_skin_mesh *mesh) {
   lam_workshop *shop = s->shop;
-  int *piece = LAM_NEW(shop->arena, int, mesh->cell_count), first = shop->part_count, digits = 1,
-      earlier = 0;
+  int *piece = LAM_NEW(shop->arena, int, mesh->cell_count), first = shop->part_count, digits = 1;
   int count = lam_skin_pieces(shop->arena, mesh, piece);
   if (s->keys->pieces == PIECES_CELLS) {
     count = mesh->cell_count;
     for (int c = 0; c < count; c++) piece[c] = c;
   }
 
-  for (int i = 0; i < shop->part_count; i++) earlier += strcmp(shop->parts[i].kind, "skin") == 0;
-  for (int e = earlier + count; e >= 10; e /= 10) digits++;
+  const char *letters = lam_part_letters(shop, 'S');
+  for (int e = count; e >= 10; e /= 10) digits++;
   for (int k = 0; k < count; k++)
-    add_part(s, mesh, piece, k, lam_arena_printf(shop->arena, "S%0*d", digits, earlier + k + 1));
+    add_part(s, mesh, piece, k, lam_arena_printf(shop->arena, "%s%0*d", letters, digits, k + 1));
 
   double mass = 0, heaviest = 0;
   long unsound = 0;

@@ -9,6 +9,7 @@
  *   g = (gap/2 + t/2 cos(a/2)) / sin(a/2)
  * from it, a the smallest of these angles. */
 #include "core/solid/triangles.h"
+#include "fab/part_names.h"
 #include "fab/parts/panel.h"
 #include "fab/workshop.h"
 #include "mesh/offset.h"
@@ -165,15 +166,6 @@ static void make_plates(support_set *set) {
 
 /* ---- parts ---- */
 
-/* S for the first row of supports of a design, T for the second ... */
-static char row_letter(const lam_workshop *shop) {
-  char letter = 'S';
-  for (int i = 0; i < shop->part_count; i++)
-    if (strcmp(shop->parts[i].kind, "support") == 0 && shop->parts[i].name[0] >= letter)
-      letter = (char)(shop->parts[i].name[0] + 1);
-  return letter > 'Z' ? 'Z' : letter;
-}
-
 /* The part of plate i. Its length is that of its longer side between the nodes. */
 static void add_part(const support_set *set, int i, const char *name, int class) {
   lam_workshop *shop = set->shop;
@@ -240,7 +232,7 @@ static void report(const support_set *set, int first, int classes) {
     lam_stage_note(shop->arena, stage, "%ld edges are too short for their nodes", set->short_edges);
 }
 
-/* Beams of a row are named by a letter and the number of their edge in the net. */
+/* Beams of a row are named by its letters, from S on, and the number of their edge. */
 static void make(lam_workshop *shop, const void *params, lam_location location) {
   const support_keys *k = params;
   support_set set = {
@@ -260,10 +252,10 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   int classes =
       lam_panel_classes(shop->arena, set.plates, set.count, lam_workshop_next_class(shop), class);
 
-  char letter = row_letter(shop);
+  const char *letters = lam_part_letters(shop, 'S');
   for (int e = shop->net->edge_count; e >= 10; e /= 10) digits++;
   for (int i = 0; i < set.count; i++) {
-    const char *name = lam_arena_printf(shop->arena, "%c%0*d", letter, digits, set.edge[i] + 1);
+    const char *name = lam_arena_printf(shop->arena, "%s%0*d", letters, digits, set.edge[i] + 1);
     lam_progress_tell(shop->progress, "support", (double)i / set.count, name);
     add_part(&set, i, name, class[i]);
   }

@@ -246,7 +246,7 @@ static void sheets_of_surfaces(void **state) {
   fixture_make(&shop, "skin", &keys);
   assert_int_equal(shop.part_count, 2);
   assert_string_equal(shop.parts[0].name, "S1");
-  assert_string_equal(shop.parts[1].name, "S2");
+  assert_string_equal(shop.parts[1].name, "T1");
   const lam_part *part = &shop.parts[0];
   lam_vec3 min, max;
   lam_points_bounds(part->solid.vertices, part->solid.vertex_count, &min, &max);
