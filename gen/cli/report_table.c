@@ -2,16 +2,18 @@
 #include "cli/report_table.h"
 
 #include <math.h>
+#include <string.h>
 
-/* In 16 columns. The minimum of a stage that keeps none is left blank. */
-static void print_min(const lam_measure *m, FILE *out) {
-  if (isnan(m->min) && !isnan(m->max))
-    fprintf(out, "%-16s", "");
+/* A word and a number in 16 columns, blank when nobody has kept the number. */
+static void print_value(const char *word, double value, FILE *out) {
+  if (isnan(value))
+    fprintf(out, "%-*s ", (int)strlen(word) + 12, "");
   else
-    fprintf(out, "min %-11.5g ", m->min);
+    fprintf(out, "%s %-11.5g ", word, value);
 }
 
-/* A line per measure; "undefined" for one that no element has a value of. */
+/* A line per measure; "undefined" for one that no element has a value of. What is one number, such
+ * as a count or a sum, has neither mean nor maximum. */
 void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
   for (int i = 0; i < count; i++) {
     const lam_measure *m = &measures[i];
@@ -21,9 +23,14 @@ void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
       continue;
     }
 
-    print_min(m, out);
-    fprintf(out, "mean %-11.5g max %-11.5g count %ld%s%s\n", m->mean, m->max, m->count,
-            *m->unit ? "  " : "", m->unit);
+    if (isnan(m->min) && m->mean == m->max) {
+      fprintf(out, "%.6g%s%s\n", m->max, *m->unit ? " " : "", m->unit);
+      continue;
+    }
+    print_value("min", m->min, out);
+    print_value("mean", m->mean, out);
+    print_value("max", m->max, out);
+    fprintf(out, "count %ld%s%s\n", m->count, *m->unit ? "  " : "", m->unit);
   }
 }
 

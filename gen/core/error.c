@@ -86,7 +86,11 @@ void lam_errors_prefix(lam_errors *errors, const lam_error *last, const char *pa
 
 lam_error *lam_errors_take(lam_errors *errors, lam_error *last) {
   lam_error *taken = last ? last->next : errors->first;
-  for (const lam_error *e = taken; e; e = e->next) errors->count--;
+  errors->count = 0; /* also of those that were left out */
+  for (const lam_error *e = last ? errors->first : NULL; e; e = e->next) {
+    errors->count++;
+    if (e == last) break;
+  }
   if (last)
     last->next = NULL;
   else

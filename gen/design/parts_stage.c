@@ -61,18 +61,20 @@ bool lam_build_parts(lam_build *build, lam_workshop *workshop) {
   return build->errors->count == before;
 }
 
-/* The number of sheets and how much of them is used, in the report: the maximum of sheet_used is
- * the unused share of the emptiest sheet, its mean the used share of a sheet. */
+/* The number of sheets and how much of them is used, in the report. */
 static void report_sheets(const lam_build *build, lam_stage *stage, const lam_sheets *sheets) {
-  double used = 0, least = 1;
+  double used = 0, least = 1, most = 0;
   for (int i = 0; i < sheets->count; i++) {
     used += sheets->sheets[i].used / sheets->count;
     least = fmin(least, sheets->sheets[i].used);
+    most = fmax(most, sheets->sheets[i].used);
   }
 
   int count = sheets->count;
   lam_stage_measure(build->arena, stage, "sheet_count", "", count, count, count);
-  lam_stage_measure(build->arena, stage, "sheet_used", "", 1 - least, used, count);
+  if (count)
+    lam_stage_measure_add(build->arena, stage,
+                          (lam_measure){"sheet_used", "", least, most, used, count});
 }
 
 /* Nothing to do when no part has a flat pattern. */
@@ -88,13 +90,15 @@ bool lam_build_sheets(lam_build *build, const lam_workshop *workshop) {
       {keys->stock[0], keys->stock[1]}, keys->kerf, keys->margin, keys->spacing};
   lam_sheets sheets = lam_sheets_make(build->arena, workshop->parts, workshop->part_count, options,
                                       (lam_location){.file = build->design->path}, build->errors);
-  if (build->errors->last != last) return lam_build_stage_fail(build, stage, last);
+  bool sound = build->errors->last == last || lam_build_stage_fail(build, stage, last);
+  if (sheets.unplaced)
+    lam_stage_note(build->arena, stage, "%d pieces lie on no sheet", sheets.unplaced);
 
   build->model->sheet_count = sheets.count;
   build->model->sheets = sheets.sheets;
   report_sheets(build, stage, &sheets);
   lam_build_stage_end(build, stage);
-  return true;
+  return sound;
 }
 
 /* Lines are named as lamellas would be: A01, A02, ... of family 0, B01, ... of family 1. */

@@ -66,5 +66,16 @@ build late --quiet
 check "--quiet leaves what failed" grep -q '^lamella: node-connector: failed: parts' "$work/late.err"
 check "in the order of the stages" grep -q '^lamella: net: asymptotic: not converged' <(head -1 "$work/late.err")
 
+# Eight of sixteen panels are larger than the stock inside its margins, 980 mm x 980 mm: the boxes of the others are on sheets.
+build large --only report,dxf,stl,bom
+check "parts larger than the stock are status 1" [ $status = 1 ]
+check "the others are on sheets" [ "$(ls "$work/large/sheets" | wc -l)" = 8 ]
+check "all parts are written" [ "$(ls "$work/large/parts" | wc -l)" = 16 ]
+check "each one that is too large is told" [ "$(grep -c 'sheets.stock: P[0-9]* needs .* mm, the sheet has room for 980.0 mm x 980.0 mm' "$work/large.out")" = 8 ]
+check "and how many there are" grep -q '8 pieces lie on no sheet' "$work/large.out"
+check "they have no sheet in the bill of materials" [ "$(grep -c 'sheet-' "$work/large/bom.csv")" = 8 ]
+build large --only report,dxf --set 'sheets.stock=[1.2 m, 1.1 m]'
+check "larger stock holds all" [ $status = 0 ]
+
 echo "1..$count"
 exit $failed

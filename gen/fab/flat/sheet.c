@@ -5,6 +5,7 @@
 #include "fab/flat/nest.h"
 #include "fab/flat/path_offset.h"
 #include "fab/flat/splice.h"
+#include "fab/flat/turn.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,6 +19,7 @@ typedef struct cutting_job {
   lam_location location;
   lam_errors *errors;
   lam_pieces pieces;
+  int unplaced; /* pieces, or parts that could not be split, that lie on no sheet: told each */
 } cutting_job;
 
 /* The key of the design that messages about the size of the stock name. */
@@ -109,6 +111,7 @@ static void split_part(cutting_job *job, int index, group_cuts *earlier) {
                   "leave no room for splices of %.0f mm",
                   part->name, length * 1e3, job->room[0] * 1e3, job->room[1] * 1e3,
                   2e3 * lam_splice_for(flat->height).half);
+    job->unplaced++;
     return;
   }
 
@@ -151,9 +154,9 @@ static void make_pieces(cutting_job *job, int part_count) {
 }
 
 /* Widens the outlines of a piece by half the kerf, and narrows its holes. The piece gets its
- * own list of paths, for copies of a part share theirs. A gap that would close becomes a
- * message. */
-static void apply_kerf(cutting_job *job, lam_piece *piece) {
+ * own list of paths, for copies of a part share theirs. False, with a message, when a gap would
+ * close. */
+static bool apply_kerf(cutting_job *job, lam_piece *piece) {
   lam_path *paths = LAM_NEW(job->arena, lam_path, piece->path_count);
   if (piece->path_count) memcpy(paths, piece->paths, (size_t)piece->path_count * sizeof *paths);
 
@@ -175,23 +178,32 @@ static void apply_kerf(cutting_job *job, lam_piece *piece) {
       lam_error_add(job->errors, job->location, "sheets.kerf",
                     "%s has a slot or hole narrower than the kerf of %.3f mm", piece->label,
                     job->options.kerf * 1e3);
-      return;
+      job->unplaced++;
+      return false;
     }
 
     path->points = moved;
   }
   piece->paths = paths;
+  return true;
 }
 
 /* The size of a piece with its spacing as an item to be nested; min is the lower left corner of
- * its paths. False, with a message, when a sheet has no room for it. */
-static bool measure(cutting_job *job, const lam_piece *piece, lam_nest_item *item, lam_vec2 *min) {
+ * its paths, which are turned where they fit no sheet as they lie. False, with a message, when a
+ * sheet has no room for it. */
+static bool measure(cutting_job *job, lam_piece *piece, lam_nest_item *item, lam_vec2 *min) {
+  lam_motion turn;
+  bool fits = lam_turn_to_fit(job->arena, piece->paths, piece->path_count, job->room, &turn);
+  if (turn.cosine != 1)
+    piece->paths = lam_paths_placed(job->arena, piece->paths, piece->path_count, &turn);
+
   lam_vec2 max;
   lam_paths_bounds(piece->paths, piece->path_count, min, &max);
   double width = max.x - min->x, height = max.y - min->y;
   *item = (lam_nest_item){width + job->options.spacing, height + job->options.spacing, 0, 0, 0};
+  if (fits) return true;
 
-  if (width <= job->room[0] + 1e-9 && height <= job->room[1] + 1e-9) return true;
+  job->unplaced++;
   lam_error_add(
       job->errors, job->location, stock_key,
       "%s needs %.1f mm x %.1f mm, the sheet has room for %.1f mm x %.1f mm inside its margins",
@@ -264,9 +276,9 @@ lam_sheets lam_sheets_make(lam_arena *arena, const lam_part *parts, int part_cou
                            lam_sheet_options options, lam_location location, lam_errors *errors) {
   double width = options.stock[0] - 2 * options.margin,
          height = options.stock[1] - 2 * options.margin;
-  cutting_job job = {arena,    parts,  options,         {fmax(width, height), fmin(width, height)},
-                     location, errors, {.arena = arena}};
-  lam_sheets sheets = {0, NULL};
+  cutting_job job = {arena,    parts,  options,          {fmax(width, height), fmin(width, height)},
+                     location, errors, {.arena = arena}, 0};
+  lam_sheets sheets = {0};
   if (job.room[1] <= 0) {
     lam_error_add(errors, location, stock_key,
                   "the margins of %.1f mm leave nothing of a sheet of %.0f mm x %.0f mm",
@@ -282,7 +294,7 @@ lam_sheets lam_sheets_make(lam_arena *arena, const lam_part *parts, int part_cou
   bool *done = LAM_NEW(arena, bool, count);
   int *chosen = LAM_NEW(arena, int, count);
 
-  for (int i = 0; i < count; i++) apply_kerf(&job, &job.pieces.items[i]);
+  for (int i = 0; i < count; i++) done[i] = !apply_kerf(&job, &job.pieces.items[i]);
 
   /* A piece that is not done yet begins the next group. */
   for (int i = 0; i < count; i++) {
@@ -295,5 +307,6 @@ lam_sheets lam_sheets_make(lam_arena *arena, const lam_part *parts, int part_cou
     if (n) nest_group(&job, chosen, n, &sheets);
   }
 
+  sheets.unplaced = job.unplaced;
   return sheets;
 }

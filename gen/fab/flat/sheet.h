@@ -18,6 +18,7 @@ typedef struct lam_sheet_options {
 typedef struct lam_sheets {
   int count;
   lam_sheet *sheets;
+  int unplaced; /* pieces that lie on no sheet */
 } lam_sheets;
 
 /* Lays every instance of every part with a flat pattern on sheets, grouped by material and
@@ -25,11 +26,11 @@ typedef struct lam_sheets {
  *
  *   - Parts longer than the stock are split (fab/flat/splice.h).
  *   - Outlines are moved outward and holes inward by half the kerf.
- *   - Parts lie along the longer side of the stock.
+ *   - Parts lie along the longer side of the stock; one that fits only when turned is turned.
  *   - Sheets are named sheet-01, sheet-02 ...
  *
- * Adds a message for every part that does not fit (location: of the stock in the design); the
- * result is then incomplete. Everything is owned by arena. */
+ * Adds a message for every part that does not fit (location: of the stock in the design), and lays
+ * the others. Everything is owned by arena. */
 lam_sheets lam_sheets_make(lam_arena *arena, const lam_part *parts, int part_count,
                            lam_sheet_options options, lam_location location, lam_errors *errors);
 

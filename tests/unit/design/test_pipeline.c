@@ -139,18 +139,20 @@ static void stages_and_sheets_of_a_report(void **state) {
   assert_int_equal(m->report->stage_count, 4);
   for (int i = 0; i < 4; i++) assert_string_equal(m->report->stages[i].name, stages[i]);
 
-  double used = 0, least = 1;
+  double used = 0, least = 1, most = 0;
   assert_true(m->sheet_count > 1);
   for (int i = 0; i < m->sheet_count; i++) {
     used += m->sheets[i].used;
     least = fmin(least, m->sheets[i].used);
+    most = fmax(most, m->sheets[i].used);
   }
   const lam_stage *sheets = &m->report->stages[3];
   assert_int_equal(sheets->measure_count, 2);
   assert_string_equal(sheets->measures[0].name, "sheet_count");
   assert_near(sheets->measures[0].max, m->sheet_count, 0);
   assert_string_equal(sheets->measures[1].name, "sheet_used");
-  assert_near(sheets->measures[1].max, 1 - least, 1e-14);
+  assert_near(sheets->measures[1].min, least, 1e-14);
+  assert_near(sheets->measures[1].max, most, 1e-14);
   assert_near(sheets->measures[1].mean, used / m->sheet_count, 1e-14);
   assert_true(sheets->seconds >= 0 && sheets->seconds < 60);
 
