@@ -153,13 +153,24 @@ static void remarks(lam_text *out, const lam_model *model, const lam_sheet *shee
     lam_text_add(out, "kerf is not compensated: lines are the true edges of the parts\n");
 }
 
+/* The paths of all pieces in the order in which they are made. */
+static void draw_pieces(lam_text *out, const lam_sheet *sheet) {
+  lam_sheet_line *lines;
+  int count = lam_sheet_order(out->arena, sheet, &lines);
+  for (int i = 0; i < count; i++) {
+    const lam_path *paths = &sheet->placed[lines[i].piece].paths[lines[i].first];
+    for (int k = 0; k < lines[i].count; k++)
+      paths[k].radius > 0 ? circle(out, &paths[k]) : polyline(out, &paths[k]);
+  }
+}
+
 static int count_files(const lam_model *model) { return model->sheet_count; }
 
 static void path_of(const lam_model *model, int i, lam_text *path) {
   lam_text_printf(path, "sheets/%s.dxf", model->sheets[i].name);
 }
 
-/* The border of the sheet, then the paths of all pieces in the order in which they are made. */
+/* The border of the sheet with what it warns of, then the pieces. */
 static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   const lam_sheet *sheet = &model->sheets[i];
   double w = sheet->width, h = sheet->height;
@@ -175,14 +186,8 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   pair(out, 0, "SECTION");
   pair(out, 2, "ENTITIES");
   polyline(out, &border);
-  lam_sheet_line *lines;
-  int count = lam_sheet_order(out->arena, sheet, &lines);
-  for (int l = 0; l < count; l++) {
-    const lam_path *paths = &sheet->placed[lines[l].piece].paths[lines[l].first];
-    for (int k = 0; k < lines[l].count; k++)
-      paths[k].radius > 0 ? circle(out, &paths[k]) : polyline(out, &paths[k]);
-  }
-
+  for (int k = 0; k < sheet->warning_count; k++) polyline(out, &sheet->warnings[k]);
+  draw_pieces(out, sheet);
   pair(out, 0, "ENDSEC");
   pair(out, 0, "EOF");
   return LAM_OK;

@@ -156,7 +156,7 @@ static void path_of(const lam_model *model, int i, lam_text *path) {
   lam_text_printf(path, "sheets/%s.svg", model->sheets[i].name);
 }
 
-/* The border of the sheet, then the pieces. */
+/* The border of the sheet with what it warns of, then the pieces. */
 static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   const lam_sheet *sheet = &model->sheets[i];
   double w = sheet->width, h = sheet->height;
@@ -168,6 +168,7 @@ static lam_status write_file(const lam_model *model, int i, lam_text *out) {
   head(out, model, sheet);
   begin_layer(out, LAM_LAYER_SHEET);
   draw(out, &border, 1, h);
+  if (sheet->warning_count) draw(out, sheet->warnings, sheet->warning_count, h);
   lam_text_add(out, "</g>\n");
   draw_lines(out, sheet);
   lam_text_add(out, "</svg>\n");

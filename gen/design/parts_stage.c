@@ -1,11 +1,13 @@
 /* The stages that make parts and nest them on sheets; lines of the net stand in for axes of parts.
  * Called by pipeline_run.c. */
 #include "design/stages.h"
-#include "fab/part_names.h"
+#include "fab/flat/lettering.h"
 #include "fab/flat/sheet.h"
 #include "fab/lamella/lamella_checks.h"
+#include "fab/part_names.h"
 
 #include <math.h>
+#include <string.h>
 
 /* What a row that failed has added to the workshop goes: half of a row is not to be made. Its stage
  * stays, with what was measured until then; one is opened when there is none. */
@@ -77,6 +79,26 @@ static void report_sheets(const lam_build *build, lam_stage *stage, const lam_sh
                           (lam_measure){"sheet_used", "", least, most, used, count});
 }
 
+/* A word on every sheet, on the layer of its edge, when parts overlap: they do not go together as
+ * they are drawn. It stands in the upper margin, as far as that is wide enough for letters. */
+static void warn_of_clashes(const lam_build *build, const lam_workshop *workshop,
+                            lam_sheets *sheets) {
+  static const char text[] = "DO NOT CUT: PARTS OVERLAP - SEE REPORT";
+  bool clash = false;
+  for (int i = 0; i < workshop->stage_count; i++)
+    clash |= strcmp(workshop->stages[i].name, "clash") == 0 && !workshop->stages[i].converged;
+
+  double margin = build->design->sheets.margin, height = fmax(3e-3, .6 * margin);
+  for (int i = 0; clash && i < sheets->count; i++) {
+    lam_sheet *sheet = &sheets->sheets[i];
+    lam_paths paths = {.arena = build->arena};
+    lam_lettering_add(&paths, LAM_LAYER_SHEET, text,
+                      lam_v2(margin, sheet->height - .2 * margin - height), 0, height);
+    sheet->warning_count = paths.count;
+    sheet->warnings = paths.items;
+  }
+}
+
 /* Nothing to do when no part has a flat pattern. */
 bool lam_build_sheets(lam_build *build, const lam_workshop *workshop) {
   const lam_sheet_keys *keys = &build->design->sheets;
@@ -93,6 +115,8 @@ bool lam_build_sheets(lam_build *build, const lam_workshop *workshop) {
   bool sound = build->errors->last == last || lam_build_stage_fail(build, stage, last);
   if (sheets.unplaced)
     lam_stage_note(build->arena, stage, "%d pieces lie on no sheet", sheets.unplaced);
+
+  warn_of_clashes(build, workshop, &sheets);
 
   build->model->sheet_count = sheets.count;
   build->model->sheets = sheets.sheets;

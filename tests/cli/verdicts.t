@@ -62,6 +62,9 @@ check "the net's verdict stands first in the table, too" [ "$(grep -nE 'CONVERGE
 check "with key and line of what does not fit" grep -q 'node-connector: FAILED: parts\[1\].arm: 20 mm does not reach .* (line 8)$' "$work/late.out"
 check "the other parts are written" [ -e "$work/late/parts/A01a.stl" -a -e "$work/late/assembly.stl" ]
 check "and no half of the one that failed" [ -z "$(ls "$work/late/parts" | grep -i -E 'washer|bolt')" ]
+# One line for the edge of the sheet, and the strokes of the letters.
+lines() { awk '/^POLYLINE/ { new = 1 } new && /^DEFPOINTS/ { n++; new = 0 } END { print n }' "$1"; }
+check "sheets of parts that overlap say so" [ "$(lines "$work/late/sheets/sheet-01.dxf")" -gt 30 ]
 build late --quiet
 check "--quiet leaves what failed" grep -q '^lamella: node-connector: failed: parts' "$work/late.err"
 check "in the order of the stages" grep -q '^lamella: net: asymptotic: not converged' <(head -1 "$work/late.err")
@@ -76,6 +79,7 @@ check "and how many there are" grep -q '8 pieces lie on no sheet' "$work/large.o
 check "they have no sheet in the bill of materials" [ "$(grep -c 'sheet-' "$work/large/bom.csv")" = 8 ]
 build large --only report,dxf --set 'sheets.stock=[1.2 m, 1.1 m]'
 check "larger stock holds all" [ $status = 0 ]
+check "and sheets of sound parts say nothing" [ "$(lines "$work/large/sheets/sheet-01.dxf")" = 1 ]
 
 echo "1..$count"
 exit $failed

@@ -417,7 +417,8 @@ void lam_workshop_clash(lam_workshop *shop) {
                     c.pairs ? c.sum / (double)c.pairs : 0, c.pairs);
   lam_stage_measure(shop->arena, stage, "clash_volume_sum", "m3", c.sum, c.sum, c.pairs);
   measure_number(shop, stage, "clash_count", c.count, c.pairs);
-  measure_number(shop, stage, "pairs_checked", c.pairs, c.pairs);
+  lam_stage_measure(shop->arena, stage, "pairs_checked", "", (double)c.pairs, (double)c.pairs,
+                    c.pairs);
 
   if (drawn) lam_stage_note(shop->arena, stage, "%d parts are drawn only and were left out", drawn);
   if (c.count)

@@ -151,6 +151,8 @@ typedef struct lam_sheet {
   int piece_count;
   lam_sheet_piece *placed;
   double used; /* area of the pieces / area of the sheet */
+  int warning_count;
+  lam_path *warnings; /* lettering on the layer SHEET: why the sheet should not be cut */
 } lam_sheet;
 
 /* ---- report ---- */

@@ -63,6 +63,9 @@ static lam_sheet_piece pieces[] = {{.label = "A&1", .path_count = 5, .paths = fi
 static lam_sheet_piece copies[] = {{.label = "A1", ONE_SQUARE}, {.label = "P1", ONE_SQUARE},
                                    {.label = "A1", ONE_SQUARE}, {.label = "P2", ONE_SQUARE},
                                    {.label = "A1", ONE_SQUARE}, {.label = "P1", ONE_SQUARE}};
+static lam_path warnings[] = {
+    {.layer = LAM_LAYER_SHEET, .count = 2, .points = bar},
+    {.layer = LAM_LAYER_SHEET, .joined = true, .count = 2, .points = dash}};
 static lam_sheet_piece mixed[] = {{.label = "A1", .path_count = 1, .paths = first_paths},
                                   {.label = "W1", .path_count = 6, .paths = washer_paths},
                                   {.label = "P1", .path_count = 1, .paths = second_paths}};
@@ -84,6 +87,8 @@ static const lam_sheet sheets[] = {{.name = "steel-1",
                                     .width = .5,
                                     .height = .25,
                                     .thickness = .002,
+                                    .warning_count = 2,
+                                    .warnings = warnings,
                                     .piece_count = 3,
                                     .placed = mixed}};
 static const lam_model workshop = {
@@ -207,6 +212,14 @@ static void dxf_in_the_order_of_work(void **state) {
       CORNER("500", "250"),
       CORNER("0", "250"),
       SEQEND("DEFPOINTS"),
+      POLYLINE("DEFPOINTS", "0"),
+      CORNER("190", "200"),
+      CORNER("190", "202"),
+      SEQEND("DEFPOINTS"),
+      POLYLINE("DEFPOINTS", "0"),
+      CORNER("190", "201"),
+      CORNER("191", "201"),
+      SEQEND("DEFPOINTS"),
       POLYLINE("LABEL", "0"),
       VERTEX("LABEL", "190", "200"),
       VERTEX("LABEL", "190", "202"),
@@ -318,6 +331,8 @@ static void svg_tells_copies_apart(void **state) {
 /* A word is one path, a round hole a circle. */
 static void svg_of_words_and_holes(void **state) {
   const char *const expected[] = {
+      LINE("SHEET", "#f36926", "M190,50 L190,48 M190,49 L191,49"),
+      "</g>\n",
       LAYER("LABEL"),
       PART("W1-label"),
       LINE("LABEL", "#00a000", "M190,50 L190,48 M190,49 L191,49"),
@@ -340,7 +355,7 @@ static void svg_of_words_and_holes(void **state) {
       NULL,
   };
   const char *text = text_of(*state, &lam_format_svg, &workshop, 2);
-  assert_pieces(*state, "mixed-3.svg", strstr(text, LAYER("LABEL")), expected);
+  assert_pieces(*state, "mixed-3.svg", strstr(text, "Z\"/>\n") + 5, expected);
 }
 
 /* ---- both ---- */
