@@ -74,13 +74,13 @@ static void print_text(const lam_solid_facts *facts, bool valid) {
 
 /* ---- JSON ---- */
 
-/* The file and the verdict, then all facts. */
-static void print_json(const char *path, const lam_solid_facts *facts, bool valid) {
+/* The file and the verdict, then all facts. Returns the exit status. */
+static int print_json(const char *path, const lam_solid_facts *facts, bool valid) {
   json_t *object = json_pack("{s:s,s:b}", "file", path, "valid", valid);
   json_t *measured = lam_facts_json(facts);
   json_object_update(object, measured);
   json_decref(measured);
-  lam_json_print(object);
+  return lam_json_print(object, valid ? 0 : 1, 12);
 }
 
 /* ---- the verb ---- */
@@ -99,10 +99,8 @@ static int inspect(lam_session *session, int argc, char **argv) {
   if (inspected != LAM_OK) return lam_verb_status(session, inspected);
 
   bool valid = facts.closed && facts.oriented && facts.self_intersections == 0;
-  if (json)
-    print_json(path, &facts, valid);
-  else
-    print_text(&facts, valid);
+  if (json) return print_json(path, &facts, valid);
+  print_text(&facts, valid);
   return valid ? 0 : 1;
 }
 

@@ -15,8 +15,9 @@ lam_image lam_image_new(lam_arena *arena, int width, int height) {
 
 /* ---- PNG ---- */
 
-/* libpng's words stand in png->message. */
+/* libpng's words stand in png->message; memory that runs out is not the picture's fault. */
 static lam_status fail_to_read(lam_errors *errors, const char *path, const png_image *png) {
+  if (strstr(png->message, "memory")) lam_arena_exhausted(errors->arena);
   lam_error_add(errors, (lam_location){.file = path}, NULL, "is not a readable PNG picture: %s",
                 png->message);
   return LAM_BAD_INPUT;
@@ -69,6 +70,7 @@ bool lam_image_encode(lam_arena *arena, const lam_image *image, uint8_t **bytes,
   *bytes = LAM_NEW(arena, uint8_t, size);
   bool done = png_image_write_to_memory(&png, *bytes, &size, 0, image->pixels, 0, NULL);
   *count = size;
+  if (!done && strstr(png.message, "memory")) lam_arena_exhausted(arena);
   return done;
 }
 

@@ -163,11 +163,8 @@ static void apply_kerf(cutting_job *job, lam_piece *piece) {
 
     lam_vec2 *moved = LAM_NEW(job->arena, lam_vec2, LAM_OFFSET_ROOM(path->count));
     double half = job->options.kerf / 2;
-    lam_status status = lam_offset_polygon(path->points, path->count, path->hole ? -half : half,
-                                           moved, &path->count);
-    /* Running out of memory inside C++ is passed on here, outside of its frames. */
-    if (status == LAM_NO_MEMORY) lam_arena_exhausted(job->arena);
-    if (status != LAM_OK) {
+    if (!lam_offset_polygon(job->arena, path->points, path->count, path->hole ? -half : half, moved,
+                            &path->count)) {
       lam_error_add(job->errors, job->location, "sheets.kerf",
                     "%s has a slot or hole narrower than the kerf of %.3f mm", piece->label,
                     job->options.kerf * 1e3);
