@@ -43,14 +43,17 @@ static void *take(size_t size) {
 
 void lam_json_begin(void) { json_set_alloc_funcs(take, free); }
 
-/* As text first: nothing is printed unless all of it is. */
+/* As text first: nothing is printed unless all of it is. The names of files may be no UTF-8, which
+ * JSON has no place for. */
 int lam_json_print(json_t *object, int status, int digits) {
   char *text = json_dumps(object, JSON_INDENT(2) | JSON_REAL_PRECISION((size_t)digits));
   json_decref(object);
   if (text && !ran_out)
     puts(text);
   else
-    status = lam_complain_plain(1, "out of memory");
+    status = lam_complain_plain(1, ran_out ? "out of memory"
+                                           : "--json: the name of a file is no UTF-8, as all of "
+                                             "JSON is");
   free(text);
   return status;
 }
