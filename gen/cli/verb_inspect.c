@@ -38,7 +38,11 @@ static void print_topology(const lam_solid_facts *f) {
 
   printf("\n%-20s %s\n%-20s %s\n", "oriented", yes_or_no(f->oriented), "manifold",
          yes_or_no(f->manifold));
-  printf("%-20s %ld\n", "self-intersections", f->self_intersections);
+  if (f->self_intersections < 0)
+    printf("%-20s not counted: millions of its triangles lie over each other\n",
+           "self-intersections");
+  else
+    printf("%-20s %ld\n", "self-intersections", f->self_intersections);
   printf("%-20s %d\n%-20s %d\n", "components", f->components, "Euler number", f->euler);
   if (f->genus >= 0)
     printf("%-20s %d\n", "genus", f->genus);

@@ -7,7 +7,7 @@
 #include <png.h>
 #include <string.h>
 
-enum { largest_side = 32768, largest_file = 1 << 30 }; /* pixels, bytes */
+enum { most_pixels = 100000000, largest_file = 1 << 30 }; /* 300 MB; bytes */
 
 lam_image lam_image_new(lam_arena *arena, int width, int height) {
   return (lam_image){width, height, LAM_NEW(arena, uint8_t, (size_t)width * (size_t)height * 3)};
@@ -43,8 +43,10 @@ lam_status lam_image_read(lam_arena *arena, const char *path, lam_errors *errors
   lam_arena_defer(arena, free_png, png);
 
   if (!png_image_begin_read_from_memory(png, bytes, count)) return fail_to_read(errors, path, png);
-  if (png->width > largest_side || png->height > largest_side) {
-    lam_error_add(errors, (lam_location){.file = path}, NULL, "the picture is too large");
+  if ((double)png->width * png->height > most_pixels) {
+    lam_error_add(errors, (lam_location){.file = path}, NULL,
+                  "the picture has %u x %u pixels; expected at most 100 million", png->width,
+                  png->height);
     return LAM_BAD_INPUT;
   }
 

@@ -59,6 +59,9 @@ template <class Function> lam_status guarded(Function function) {
 
 Point point(lam_vec3 p) { return Point(p.x, p.y, p.z); }
 
+/* Thrown out of CGAL's loops when there is more to look at than anybody would wait for. */
+struct Too_many {};
+
 /* ---- triangles in a search tree ---- */
 
 /* Points and triangles; the tree refers to them, so a Soup stays where it is made. */
@@ -452,10 +455,15 @@ lam_status lam_solid_self_intersections(const lam_trimesh *mesh, long *count) {
     if (!usable(*mesh)) return LAM_BAD_INPUT;
     const Soup soup = soup_of(*mesh);
     std::vector<Box> boxes = boxes_of(soup);
-    long found = 0;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
-      found += meet_improperly(soup, a.info(), b.info());
-    });
+    long found = 0, left = LAM_SOLID_MOST_PAIRS + 200l * mesh->triangle_count;
+    try {
+      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
+        if (left-- == 0) throw Too_many();
+        found += meet_improperly(soup, a.info(), b.info());
+      });
+    } catch (const Too_many &) {
+      found = -1;
+    }
     *count = found;
     return LAM_OK;
   });
