@@ -15,8 +15,12 @@ else ifeq ($(config),sanitize)
 else ifeq ($(config),thread)
   out := build/thread
   opt := -O1 -g -fsanitize=thread -fno-omit-frame-pointer
+else ifeq ($(config),clang)
+  out := build/clang
+  opt := -O2 -g -fno-omit-frame-pointer
+  CC := clang
 else
-  $(error config is release, debug, sanitize or thread, not "$(config)")
+  $(error config is release, debug, sanitize, thread or clang, not "$(config)")
 endif
 
 warn     := -Wall -Wextra -Werror -Wshadow
@@ -186,4 +190,4 @@ help:
 	@echo "make layers     checks which folder includes which"
 	@echo "make format     clang-format"
 	@echo "make install    to prefix=$(prefix)"
-	@echo "config=release|debug|sanitize|thread builds into build, build/debug, build/sanitize, build/thread"
+	@echo "config=release|debug|sanitize|thread|clang builds into build, build/debug, build/sanitize, build/thread, build/clang"

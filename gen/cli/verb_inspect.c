@@ -93,7 +93,7 @@ static int print_json(const char *path, const lam_solid_facts *facts, bool valid
 static int inspect(lam_session *session, int argc, char **argv) {
   const char *path;
   bool json = false;
-  const lam_option table[] = {{"--json", .flag = &json}, {NULL}};
+  const lam_option table[] = {{"--json", .flag = &json}, {.name = NULL}};
   lam_arguments arguments = {usage, table, 1, 1, "a mesh file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &path, &count);
   if (status >= 0) return status;

@@ -138,7 +138,7 @@ static int measure(lam_session *session, int argc, char **argv) {
                               {"--axis", .value = &axis},
                               {"-o", .value = &task.map_path},
                               {"--json", .flag = &json},
-                              {NULL}};
+                              {.name = NULL}};
 
   lam_arguments arguments = {usage, table, 1, 1, "a mesh file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &task.name, &count);

@@ -87,8 +87,8 @@ bool lam_source_parse(lam_session *session, const lam_design_source *source, lam
 
 /* ---- checking ---- */
 
-/* Whether a file that the design names can be read: a plain one, as a pipe would be empty when it is
- * read again. A message under key otherwise. */
+/* Whether a file that the design names can be read: a plain one, as a pipe would be empty when it
+ * is read again. A message under key otherwise. */
 static bool check_file(const lam_design *design, const char *name, lam_location location,
                        const char *key, lam_errors *errors) {
   if (!name) return true;
@@ -137,8 +137,8 @@ static void check_surface(const lam_design *design, bool make, lam_errors *error
   lam_surface_make(errors->arena, &filled, errors);
 }
 
-/* The line of a setting that says which views it has, or NULL: other files in its folder are parts of
- * settings. "// Views: entrance (also auto), overview (from above)." */
+/* The line of a setting that says which views it has, or NULL: other files in its folder are parts
+ * of settings. "// Views: entrance (also auto), overview (from above)." */
 static const char *views_of(lam_arena *arena, const char *path) {
   lam_errors unread = {.arena = arena};
   char *bytes;
