@@ -15,8 +15,12 @@ else ifeq ($(config),sanitize)
 else ifeq ($(config),thread)
   out := build/thread
   opt := -O1 -g -fsanitize=thread -fno-omit-frame-pointer
+else ifeq ($(config),clang)
+  out := build/clang
+  opt := -O2 -g -fno-omit-frame-pointer
+  CC := clang
 else
-  $(error config is release, debug, sanitize or thread, not "$(config)")
+  $(error config is release, debug, sanitize, thread or clang, not "$(config)")
 endif
 
 warn     := -Wall -Wextra -Werror -Wshadow
@@ -25,11 +29,11 @@ includes := -Igen -Igen/include -I. -isystem /usr/include/suitesparse
 CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off $(opt) $(warn) $(includes) -MMD -MP $(CFLAGS)
 # CGAL's exact predicates switch the rounding mode
 CXXFLAGS_ = -std=c++17 -fPIC -fvisibility=hidden -fvisibility-inlines-hidden -O2 -frounding-math $(warn) $(includes) -MMD -MP $(CXXFLAGS)
-libs     := -lamd -ltinygltf -lpolyclipping -lgmp -lmpfr -lyaml -ljansson -lpng -lstdc++ -lm
+libs     := -lamd -lyaml -ljansson -lpng -lstdc++ -lm
 
 # Debian packages: to build; for pictures and OpenSCAD; for the tests
-packages_build := gcc g++ libc6-dev libsuitesparse-dev libcgal-dev libtinygltf-dev \
-                  libpolyclipping-dev libyaml-dev libjansson-dev libpng-dev
+packages_build := gcc g++ libc6-dev libsuitesparse-dev libcgal-dev \
+                  libyaml-dev libjansson-dev libpng-dev
 packages_show  := povray povray-includes
 packages_check := $(packages_show) librsvg2-bin libcmocka-dev perl openscad admesh imagemagick python3-ezdxf nodejs npm \
                   libocct-data-exchange-dev pkgconf
@@ -186,4 +190,4 @@ help:
 	@echo "make layers     checks which folder includes which"
 	@echo "make format     clang-format"
 	@echo "make install    to prefix=$(prefix)"
-	@echo "config=release|debug|sanitize|thread builds into build, build/debug, build/sanitize, build/thread"
+	@echo "config=release|debug|sanitize|thread|clang builds into build, build/debug, build/sanitize, build/thread, build/clang"

@@ -1,16 +1,29 @@
 /* Escaped text of XML, for the SVG writers in formats/sheets and formats/plot. */
 #include "formats/xml.h"
 
-/* A > needs no entity, in text or in an attribute. */
+/* A > needs its entity behind ]]. */
+static const char *entity_of(char c) {
+  switch (c) {
+  case '&':
+    return "&amp;";
+  case '<':
+    return "&lt;";
+  case '>':
+    return "&gt;";
+  case '"':
+    return "&quot;";
+  default:
+    return NULL;
+  }
+}
+
 void lam_xml_escaped(lam_text *out, const char *string) {
-  for (; *string; string++) {
-    const char *entity = *string == '&'   ? "&amp;"
-                         : *string == '<' ? "&lt;"
-                         : *string == '"' ? "&quot;"
-                                          : NULL;
+  for (int size; *string; string += size ? size : 1) {
+    size = lam_utf8_size(string);
+    const char *entity = entity_of(*string);
     if (entity)
       lam_text_add(out, entity);
     else if ((unsigned char)*string >= ' ')
-      lam_text_bytes(out, string, 1);
+      lam_text_bytes(out, size ? string : "?", size ? (size_t)size : 1);
   }
 }

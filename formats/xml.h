@@ -5,8 +5,9 @@
 
 #include "core/text.h"
 
-/* Adds string with &, < and " as entities; control characters are dropped, everything else (UTF-8
- * too) stays as it is. Fit for attributes in double quotes. */
+/* Adds string with &, <, > and " as entities. Control characters are dropped, what is no character
+ * in UTF-8 becomes a question mark, everything else stays as it is. Fit for attributes in double
+ * quotes. */
 void lam_xml_escaped(lam_text *out, const char *string);
 
 #endif

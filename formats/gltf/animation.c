@@ -111,7 +111,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
                           .meshes = meshes,
                           .nodes = nodes,
                           .animation = {"deformation", length_of_a_run / (model->frame_count - 1)}};
-  return lam_gltf_write(&scene, out);
+  return lam_glb_write(&scene, out);
 }
 
 const lam_format lam_format_animation = {

@@ -148,7 +148,7 @@ static double *matrix_of(lam_arena *arena, const lam_pose *pose) {
 /* The first number in a name: 7 for "A07a"; 0 when there is none. */
 static int number_in(const char *name) { return atoi(name + strcspn(name, "0123456789")); }
 
-/* Facts come first: a name given again below replaces the fact (the shim keeps the last value). */
+/* Facts come first: a name given again below replaces the fact (glb.c keeps the last value). */
 static void add_extras(builder *b, int node, const lam_part *part) {
   lam_gltf_extra *extras = LAM_NEW(b->arena, lam_gltf_extra, part->fact_count + 8);
   int n = 0;
@@ -242,7 +242,7 @@ static lam_status gltf_write(const lam_model *model, int i, lam_text *out) {
     if (!lam_image_encode(b.arena, &image, &bytes, &scene.picture_size)) return LAM_FAILED;
     scene.picture = bytes;
   }
-  return lam_gltf_write(&scene, out);
+  return lam_glb_write(&scene, out);
 }
 
 const lam_format lam_format_gltf = {

@@ -1,7 +1,6 @@
-/* From a scene to the bytes of a .glb file, for the glTF writers of this folder. */
+/* A model's data as the arrays that a scene takes, for the glTF writers of this folder. */
 #include "formats/gltf/gltf_scene.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 const double lam_gltf_y_up[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
@@ -40,21 +39,4 @@ int *lam_gltf_lines(lam_arena *arena, const lam_model *model, int *index_count) 
   }
   *index_count = n;
   return indices;
-}
-
-static void free_bytes(void *slot) { free(*(char **)slot); }
-
-/* The bytes come from malloc: they are deferred to the arena before anything is added to out, which
- * may run out of memory and jump. */
-lam_status lam_gltf_write(const lam_gltf_scene *scene, lam_text *out) {
-  char **bytes = LAM_NEW(out->arena, char *, 1);
-  lam_arena_defer(out->arena, free_bytes, bytes);
-
-  size_t count;
-  lam_status status = lam_gltf_encode(scene, bytes, &count);
-  if (status == LAM_NO_MEMORY) lam_arena_exhausted(out->arena);
-  if (status == LAM_OK) lam_text_bytes(out, *bytes, count);
-  free(*bytes);
-  *bytes = NULL;
-  return status;
 }

@@ -1,11 +1,11 @@
-/* What the glTF writers beside it share (gltf.c, plot_gltf.c, animation.c): from a scene to the
- * bytes of a file, and a model's data as the arrays that a scene takes. */
+/* What the glTF writers beside it share (gltf.c, plot_gltf.c, animation.c): a model's data as the
+ * arrays that a scene takes. */
 #ifndef LAM_FORMATS_GLTF_GLTF_SCENE_H
 #define LAM_FORMATS_GLTF_GLTF_SCENE_H
 
 #include "core/model.h"
 #include "core/text.h"
-#include "formats/gltf/gltf_shim.h"
+#include "formats/gltf/glb.h"
 
 /* The matrix of a root node, column-major: the axes x, y, z (up) become x, -z, y (up). */
 extern const double lam_gltf_y_up[16];
@@ -18,9 +18,5 @@ void lam_gltf_vector(float *to, lam_vec3 v);
 /* The edges of the model's polylines as lines: two vertices of the net each, index_count in all.
  * Owned by arena. */
 int *lam_gltf_lines(lam_arena *arena, const lam_model *model, int *index_count);
-
-/* Adds the bytes of the .glb file of a scene to out. LAM_OK, or LAM_FAILED when the library failed;
- * when memory runs out, control goes to the arena's recovery point. */
-lam_status lam_gltf_write(const lam_gltf_scene *scene, lam_text *out);
 
 #endif

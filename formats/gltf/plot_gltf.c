@@ -151,7 +151,7 @@ static lam_status write(const lam_model *model, int i, lam_text *out) {
   lam_gltf_node nodes[2] = {{model->name, -1, -1, lam_gltf_root(out->arena, model), 0, NULL},
                             {m->name, 0, 0, NULL, extra_count, extras}};
   lam_gltf_scene scene = {model->name, 1, 1, 2, &material, &mesh, nodes, {NULL, 0}, NULL, 0};
-  return lam_gltf_write(&scene, out);
+  return lam_glb_write(&scene, out);
 }
 
 const lam_format lam_format_plot_gltf = {

@@ -5,6 +5,7 @@
 #include "formats/scan.h"
 #include "formats/spline/curves.h"
 
+#include <errno.h>
 #include <jansson.h>
 #include <string.h>
 
@@ -231,8 +232,10 @@ static void release(void *root) { json_decref(root); }
 static const json_t *open_list(reader *r, const char *bytes, size_t size) {
   json_error_t error;
   size_t mark = (size_t)lam_utf8_mark(bytes, size);
+  errno = 0; /* jansson takes for a mistake of the file what it has no memory for */
   json_t *root = json_loadb(bytes + mark, size - mark, 0, &error);
   if (!root) {
+    if (errno == ENOMEM) lam_arena_exhausted(r->arena);
     lam_location location = r->location;
     location.line = error.line > 0 ? error.line : 0;
     lam_text text = {.arena = r->arena}; /* in one line */

@@ -3,10 +3,18 @@
  * asked for. */
 #include "formats/format.h"
 
+#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+/* Sets a key of a map, or (key NULL) appends to a list, and hands over the value. Whatever could
+ * not be made (no memory, no UTF-8) is NULL, and *lost is true from then on. */
+static void put(bool *lost, json_t *to, const char *key, json_t *value) {
+  if ((key ? json_object_set_new(to, key, value) : json_array_append_new(to, value)) != 0)
+    *lost = true;
+}
 
 /* A number of 10 significant digits, null when it is not finite. The caller owns it. */
 static json_t *number(double value) {
@@ -17,38 +25,41 @@ static json_t *number(double value) {
 }
 
 /* The measures of a stage, by name. The caller owns them. */
-static json_t *stage_measures(const lam_stage *stage) {
+static json_t *stage_measures(bool *lost, const lam_stage *stage) {
   json_t *measures = json_object();
   for (int i = 0; i < stage->measure_count; i++) {
     const lam_measure *m = &stage->measures[i];
-    json_object_set_new(measures, m->name,
-                        json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean",
-                                  number(m->mean), "max", number(m->max), "unit", m->unit, "count",
-                                  (json_int_t)m->count));
+    json_t *one = json_object();
+    put(lost, one, "min", number(m->min));
+    put(lost, one, "mean", number(m->mean));
+    put(lost, one, "max", number(m->max));
+    put(lost, one, "unit", json_string(m->unit));
+    put(lost, one, "count", json_integer((json_int_t)m->count));
+    put(lost, measures, m->name, one);
   }
   return measures;
 }
 
 /* The entry of a stage; the caller owns it. Keys that would say nothing are left out. */
-static json_t *stage_entry(const lam_stage *stage) {
+static json_t *stage_entry(bool *lost, const lam_stage *stage) {
   json_t *entry = json_object();
-  json_object_set_new(entry, "stage", json_string(stage->name));
-  json_object_set_new(entry, "converged", json_boolean(stage->converged));
-  json_object_set_new(entry, "reason", json_string(stage->reason));
+  put(lost, entry, "stage", json_string(stage->name));
+  put(lost, entry, "converged", json_boolean(stage->converged));
+  if (stage->reason) put(lost, entry, "reason", json_string(stage->reason));
   if (stage->iterations >= 0) {
-    json_object_set_new(entry, "iterations", json_integer(stage->iterations));
-    json_object_set_new(entry, "residual", number(stage->residual));
+    put(lost, entry, "iterations", json_integer(stage->iterations));
+    put(lost, entry, "residual", number(stage->residual));
   }
-  json_object_set_new(entry, "measures", stage_measures(stage));
+  put(lost, entry, "measures", stage_measures(lost, stage));
 
   if (stage->note_count) {
     json_t *notes = json_array();
     for (int i = 0; i < stage->note_count; i++)
-      json_array_append_new(notes, json_string(stage->notes[i]));
-    json_object_set_new(entry, "notes", notes);
+      put(lost, notes, NULL, json_string(stage->notes[i]));
+    put(lost, entry, "notes", notes);
   }
 
-  if (stage->seconds > 0) json_object_set_new(entry, "seconds", number(stage->seconds));
+  if (stage->seconds > 0) put(lost, entry, "seconds", number(stage->seconds));
   return entry;
 }
 
@@ -59,21 +70,34 @@ static void path(const lam_model *model, int i, lam_text *name) {
   lam_text_add(name, "report.json");
 }
 
-/* jansson owns nothing of the model: texts are copied into the tree, which becomes one text. */
+/* The whole report; the caller owns it. */
+static json_t *report_of(bool *lost, const lam_model *model) {
+  json_t *stages = json_array(), *root = json_object();
+  for (int s = 0; s < model->report->stage_count; s++)
+    put(lost, stages, NULL, stage_entry(lost, &model->report->stages[s]));
+
+  put(lost, root, "name", json_string(model->name));
+  put(lost, root, "title", json_string(model->title));
+  put(lost, root, "source", json_string(model->source ? model->source : ""));
+  put(lost, root, "lamella", json_string(model->version));
+  put(lost, root, "stages", stages);
+  return root;
+}
+
+/* jansson owns nothing of the model: texts are copied into the tree, which becomes one text.
+ * LAM_FAILED for texts that are no UTF-8. */
 static lam_status write(const lam_model *model, int i, lam_text *out) {
   (void)i;
-  json_t *stages = json_array();
-  for (int s = 0; s < model->report->stage_count; s++)
-    json_array_append_new(stages, stage_entry(&model->report->stages[s]));
-
-  json_t *root =
-      json_pack("{s:s, s:s, s:s, s:s, s:o}", "name", model->name, "title", model->title, "source",
-                model->source ? model->source : "", "lamella", model->version, "stages", stages);
-  char *text = root ? json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) : NULL;
+  bool lost = false;
+  errno = 0;
+  json_t *root = report_of(&lost, model);
+  char *text = lost ? NULL : json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
+  bool ran_out = errno == ENOMEM; /* a text may be there all the same, with gaps */
   json_decref(root);
 
-  if (!text) return LAM_FAILED;
   lam_arena_defer(out->arena, free, text); /* also when adding to out runs out of memory */
+  if (ran_out) lam_arena_exhausted(out->arena);
+  if (!text) return LAM_FAILED;
   lam_text_add(out, text);
   lam_text_add(out, "\n");
   return LAM_OK;

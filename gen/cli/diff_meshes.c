@@ -117,8 +117,8 @@ static void print_text(const lam_mesh_comparison *c, const row *rows) {
 
 /* ---- JSON ---- */
 
-/* In SI units; facts of both meshes under "a" and "b". */
-static void print_json(const lam_mesh_comparison *c, double tolerance, const row *rows) {
+/* In SI units; facts of both meshes under "a" and "b". Returns the exit status. */
+static int print_json(const lam_mesh_comparison *c, double tolerance, const row *rows) {
   json_t *object = json_object(), *names = json_array();
   for (int i = 0; i < row_count; i++)
     if (differs(&rows[i])) json_array_append_new(names, json_string(rows[i].name));
@@ -131,7 +131,7 @@ static void print_json(const lam_mesh_comparison *c, double tolerance, const row
   json_object_set_new(object, "b_to_a", json_real(c->b_to_a));
   json_object_set_new(object, "a", lam_facts_json(&c->facts[0]));
   json_object_set_new(object, "b", lam_facts_json(&c->facts[1]));
-  lam_json_print(object);
+  return lam_json_print(object, any_differs(rows) ? 1 : 0, 12);
 }
 
 /* 0: the same; 1: different; otherwise the status of files that cannot be read. */
@@ -145,9 +145,7 @@ int lam_diff_meshes(lam_session *session, const lam_diff_request *request) {
   row rows[row_count];
   make_rows(&comparison, tolerance, rows);
 
-  if (request->json)
-    print_json(&comparison, tolerance, rows);
-  else
-    print_text(&comparison, rows);
+  if (request->json) return print_json(&comparison, tolerance, rows);
+  print_text(&comparison, rows);
   return any_differs(rows) ? 1 : 0;
 }

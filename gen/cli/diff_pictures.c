@@ -28,8 +28,9 @@ static void print_text(const lam_picture_comparison *c, double tolerance, bool s
   puts(same ? "the same" : "different: pixels");
 }
 
-/* tolerance: percent. Hashes are texts: JSON numbers do not hold 64 bits. */
-static void print_json(const lam_picture_comparison *c, double tolerance, bool same) {
+/* tolerance: percent. Hashes are texts: JSON numbers do not hold 64 bits. Returns the exit
+ * status. */
+static int print_json(const lam_picture_comparison *c, double tolerance, bool same) {
   json_t *object = json_object(), *hashes = json_array(), *sizes = json_array();
   for (int i = 0; i < 2; i++) {
     json_array_append_new(hashes, json_sprintf("%016" PRIx64, c->hash[i]));
@@ -47,7 +48,7 @@ static void print_json(const lam_picture_comparison *c, double tolerance, bool s
     json_object_set_new(object, "max", json_integer(c->largest));
     json_object_set_new(object, "psnr", c->largest ? json_real(c->psnr) : json_null());
   }
-  lam_json_print(object);
+  return lam_json_print(object, same ? 0 : 1, 12);
 }
 
 /* 0: the same; 1: different; otherwise the status of files that cannot be read. */
@@ -59,9 +60,7 @@ int lam_diff_pictures(lam_session *session, const lam_diff_request *request) {
 
   double tolerance = request->tolerance < 0 ? default_tolerance_percent : request->tolerance;
   bool same = comparison.same_size && 100 * comparison.share <= tolerance;
-  if (request->json)
-    print_json(&comparison, tolerance, same);
-  else
-    print_text(&comparison, tolerance, same);
+  if (request->json) return print_json(&comparison, tolerance, same);
+  print_text(&comparison, tolerance, same);
   return same ? 0 : 1;
 }

@@ -1,5 +1,6 @@
 /* The program `lamella`: finds the verb and hands it its arguments. */
 #include "cli/complain.h"
+#include "cli/solid_facts.h"
 #include "cli/verbs.h"
 #include <lamella/lamella.h>
 
@@ -108,6 +109,7 @@ static void handle_signals(void) {
 int main(int argc, char **argv) {
   setlocale(LC_ALL, "C");
   handle_signals();
+  lam_json_begin();
 
   int status = run(argc, argv);
   bool lost = fflush(stdout) != 0;

@@ -1,7 +1,9 @@
 /* JSON of solids. Called by verb_inspect.c, diff_meshes.c and diff_pictures.c. */
 #include "cli/solid_facts.h"
+#include "cli/complain.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 static json_t *point(lam_vec3 p) { return json_pack("[f,f,f]", p.x, p.y, p.z); }
 
@@ -30,8 +32,28 @@ json_t *lam_facts_json(const lam_solid_facts *f) {
   return object;
 }
 
-void lam_json_print(json_t *object) {
-  json_dumpf(object, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
-  putchar('\n');
+/* Set by the first piece of JSON that there was no memory for: jansson leaves it out silently. */
+static bool ran_out;
+
+static void *take(size_t size) {
+  void *bytes = malloc(size);
+  ran_out = ran_out || !bytes;
+  return bytes;
+}
+
+void lam_json_begin(void) { json_set_alloc_funcs(take, free); }
+
+/* As text first: nothing is printed unless all of it is. The names of files may be no UTF-8, which
+ * JSON has no place for. */
+int lam_json_print(json_t *object, int status, int digits) {
+  char *text = json_dumps(object, JSON_INDENT(2) | JSON_REAL_PRECISION((size_t)digits));
   json_decref(object);
+  if (text && !ran_out)
+    puts(text);
+  else
+    status = lam_complain_plain(1, ran_out ? "out of memory"
+                                           : "--json: the name of a file is no UTF-8, as all of "
+                                             "JSON is");
+  free(text);
+  return status;
 }

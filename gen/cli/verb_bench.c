@@ -23,7 +23,7 @@ static int bench(lam_session *session, int argc, char **argv) {
   const lam_option table[] = {{"--json", .flag = &options.json},
                               {"--net", .value = &options.net},
                               {"--most", .value = &most},
-                              {NULL}};
+                              {.name = NULL}};
   lam_arguments arguments = {usage, table, 0, 1, "a folder"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &options.folder, &count);
   if (status >= 0) return status;

@@ -84,7 +84,7 @@ static int build(lam_session *session, int argc, char **argv) {
                               {"--deps", .value = &options.deps},
                               {"--quiet", .flag = &quiet},
                               {"--timings", .flag = &options.timings},
-                              {NULL}};
+                              {.name = NULL}};
   lam_arguments arguments = {usage, table, 1, 1, "a design file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &path, &count);
   if (status >= 0) return status;

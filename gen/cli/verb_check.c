@@ -14,7 +14,7 @@ static int check(lam_session *session, int argc, char **argv) {
   const char *overrides[argc], *path; /* no more overrides than arguments */
   lam_design_source source = {.overrides = overrides};
   const lam_option table[] = {{"--set", .values = overrides, .count = &source.override_count},
-                              {NULL}};
+                              {.name = NULL}};
   lam_arguments arguments = {usage, table, 1, 1, "a design file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &path, &count);
   if (status >= 0) return status;

@@ -53,7 +53,7 @@ static int diff(lam_session *session, int argc, char **argv) {
   const lam_option table[] = {{"--tolerance", .value = &tolerance},
                               {"--mask", .value = &request.mask},
                               {"--json", .flag = &request.json},
-                              {NULL}};
+                              {.name = NULL}};
   lam_arguments arguments = {usage, table, 2, 2, "two files"};
   int count, status = lam_arguments_read(&arguments, argc, argv, request.paths, &count);
   if (status >= 0) return status;

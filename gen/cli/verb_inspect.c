@@ -38,7 +38,11 @@ static void print_topology(const lam_solid_facts *f) {
 
   printf("\n%-20s %s\n%-20s %s\n", "oriented", yes_or_no(f->oriented), "manifold",
          yes_or_no(f->manifold));
-  printf("%-20s %ld\n", "self-intersections", f->self_intersections);
+  if (f->self_intersections < 0)
+    printf("%-20s not counted: millions of its triangles lie over each other\n",
+           "self-intersections");
+  else
+    printf("%-20s %ld\n", "self-intersections", f->self_intersections);
   printf("%-20s %d\n%-20s %d\n", "components", f->components, "Euler number", f->euler);
   if (f->genus >= 0)
     printf("%-20s %d\n", "genus", f->genus);
@@ -74,13 +78,13 @@ static void print_text(const lam_solid_facts *facts, bool valid) {
 
 /* ---- JSON ---- */
 
-/* The file and the verdict, then all facts. */
-static void print_json(const char *path, const lam_solid_facts *facts, bool valid) {
+/* The file and the verdict, then all facts. Returns the exit status. */
+static int print_json(const char *path, const lam_solid_facts *facts, bool valid) {
   json_t *object = json_pack("{s:s,s:b}", "file", path, "valid", valid);
   json_t *measured = lam_facts_json(facts);
   json_object_update(object, measured);
   json_decref(measured);
-  lam_json_print(object);
+  return lam_json_print(object, valid ? 0 : 1, 12);
 }
 
 /* ---- the verb ---- */
@@ -89,7 +93,7 @@ static void print_json(const char *path, const lam_solid_facts *facts, bool vali
 static int inspect(lam_session *session, int argc, char **argv) {
   const char *path;
   bool json = false;
-  const lam_option table[] = {{"--json", .flag = &json}, {NULL}};
+  const lam_option table[] = {{"--json", .flag = &json}, {.name = NULL}};
   lam_arguments arguments = {usage, table, 1, 1, "a mesh file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &path, &count);
   if (status >= 0) return status;
@@ -99,10 +103,8 @@ static int inspect(lam_session *session, int argc, char **argv) {
   if (inspected != LAM_OK) return lam_verb_status(session, inspected);
 
   bool valid = facts.closed && facts.oriented && facts.self_intersections == 0;
-  if (json)
-    print_json(path, &facts, valid);
-  else
-    print_text(&facts, valid);
+  if (json) return print_json(path, &facts, valid);
+  print_text(&facts, valid);
   return valid ? 0 : 1;
 }
 

@@ -2,12 +2,12 @@
 #include "cli/arguments.h"
 #include "cli/complain.h"
 #include "cli/report_table.h"
+#include "cli/solid_facts.h"
 #include "cli/verb_run.h"
 #include "cli/verbs.h"
 #include <lamella/format.h>
 #include <lamella/net.h>
 
-#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,8 +65,8 @@ static int read_options(const char *angle, const char *axis, double numbers[6],
 /* null: undefined, or not a number. */
 static json_t *number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
 
-/* The measures by name, beside a few facts of the mesh. */
-static void print_json(const lam_measure_task *task, const lam_measured *measured) {
+/* The measures by name, beside a few facts of the mesh. Returns the exit status. */
+static int print_json(const lam_measure_task *task, const lam_measured *measured) {
   json_t *list = json_object();
   for (int i = 0; i < measured->measure_count; i++) {
     const lam_measure *m = &measured->measures[i];
@@ -79,9 +79,7 @@ static void print_json(const lam_measure_task *task, const lam_measured *measure
   json_t *root = json_pack("{s:s, s:i, s:i, s:i, s:o}", "mesh", task->name, "vertices",
                            task->mesh->vertex_count, "faces", task->mesh->face_count,
                            "irregular_vertices", measured->irregular_vertices, "measures", list);
-  json_dumpf(root, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
-  putchar('\n');
-  json_decref(root);
+  return lam_json_print(root, 0, 9);
 }
 
 /* A line about the mesh, then the measures. */
@@ -122,10 +120,8 @@ static int run_task(lam_session *session, lam_measure_task *task, const char *re
   if (status == LAM_IO) return lam_complain(session), 1;
   if (status != LAM_OK) return lam_verb_status(session, status);
 
-  if (json)
-    print_json(task, &measured);
-  else
-    print_text(task, &measured);
+  if (json) return print_json(task, &measured);
+  print_text(task, &measured);
   return 0;
 }
 
@@ -142,7 +138,7 @@ static int measure(lam_session *session, int argc, char **argv) {
                               {"--axis", .value = &axis},
                               {"-o", .value = &task.map_path},
                               {"--json", .flag = &json},
-                              {NULL}};
+                              {.name = NULL}};
 
   lam_arguments arguments = {usage, table, 1, 1, "a mesh file"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &task.name, &count);

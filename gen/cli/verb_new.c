@@ -14,7 +14,7 @@ static const char usage[] =
 /* The paths that were written go to stdout. */
 static int new_design(lam_session *session, int argc, char **argv) {
   const char *name, *target = NULL;
-  const lam_option table[] = {{"-o", .value = &target}, {NULL}};
+  const lam_option table[] = {{"-o", .value = &target}, {.name = NULL}};
   lam_arguments arguments = {usage, table, 1, 1, "a design"};
   int count, status = lam_arguments_read(&arguments, argc, argv, &name, &count);
   if (status >= 0) return status;

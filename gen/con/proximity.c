@@ -23,6 +23,9 @@ static lam_vec3 closest_point(const surface_context *surface, lam_vec3 v, lam_ve
   lam_vec3 foot;
   int triangle;
   lam_tree_closest(surface->tree, v, &foot, &triangle);
+  *normal = lam_v3(0, 0, 0);
+  if (triangle < 0) return v; /* memory ran out: lam_tree_ran_out tells the optimizer */
+
   const int *t = surface->mesh->triangles[triangle];
   lam_vec3 a = surface->mesh->vertices[t[0]];
   *normal = lam_unit(lam_cross(lam_sub(surface->mesh->vertices[t[1]], a),

@@ -70,6 +70,7 @@ lam_status lam_file_read(lam_arena *arena, const char *path, size_t limit, lam_e
   FILE **file = LAM_NEW(arena, FILE *, 1);
   lam_arena_defer(arena, close_file, file);
   *file = fopen(path, "rb");
+  if (!*file && errno == ENOMEM) lam_arena_exhausted(arena);
   if (!*file) return fail(errors, path, "cannot be opened", errno);
 
   /* A file that is too large needs no room for all of it to be found out. */

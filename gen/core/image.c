@@ -7,7 +7,7 @@
 #include <png.h>
 #include <string.h>
 
-enum { largest_side = 32768, largest_file = 1 << 30 }; /* pixels, bytes */
+enum { most_pixels = 100000000, largest_file = 1 << 30 }; /* 300 MB; bytes */
 
 lam_image lam_image_new(lam_arena *arena, int width, int height) {
   return (lam_image){width, height, LAM_NEW(arena, uint8_t, (size_t)width * (size_t)height * 3)};
@@ -15,8 +15,9 @@ lam_image lam_image_new(lam_arena *arena, int width, int height) {
 
 /* ---- PNG ---- */
 
-/* libpng's words stand in png->message. */
+/* libpng's words stand in png->message; memory that runs out is not the picture's fault. */
 static lam_status fail_to_read(lam_errors *errors, const char *path, const png_image *png) {
+  if (strstr(png->message, "memory")) lam_arena_exhausted(errors->arena);
   lam_error_add(errors, (lam_location){.file = path}, NULL, "is not a readable PNG picture: %s",
                 png->message);
   return LAM_BAD_INPUT;
@@ -42,8 +43,10 @@ lam_status lam_image_read(lam_arena *arena, const char *path, lam_errors *errors
   lam_arena_defer(arena, free_png, png);
 
   if (!png_image_begin_read_from_memory(png, bytes, count)) return fail_to_read(errors, path, png);
-  if (png->width > largest_side || png->height > largest_side) {
-    lam_error_add(errors, (lam_location){.file = path}, NULL, "the picture is too large");
+  if ((double)png->width * png->height > most_pixels) {
+    lam_error_add(errors, (lam_location){.file = path}, NULL,
+                  "the picture has %u x %u pixels; expected at most 100 million", png->width,
+                  png->height);
     return LAM_BAD_INPUT;
   }
 
@@ -69,6 +72,7 @@ bool lam_image_encode(lam_arena *arena, const lam_image *image, uint8_t **bytes,
   *bytes = LAM_NEW(arena, uint8_t, size);
   bool done = png_image_write_to_memory(&png, *bytes, &size, 0, image->pixels, 0, NULL);
   *count = size;
+  if (!done && strstr(png.message, "memory")) lam_arena_exhausted(arena);
   return done;
 }
 

@@ -52,13 +52,36 @@ void lam_text_printf(lam_text *text, const char *format, ...) {
   text->length += (size_t)length;
 }
 
-/* Bytes of UTF-8 beyond ASCII pass through: only those below the space are control characters. */
+/* By the first byte: how many there are, and the least number that needs so many. What follows has
+ * six bits each. */
+int lam_utf8_size(const char *string) {
+  static const struct {
+    unsigned char mask, head;
+    unsigned least;
+  } forms[] = {{0x80, 0, 1}, {0xe0, 0xc0, 0x80}, {0xf0, 0xe0, 0x800}, {0xf8, 0xf0, 0x10000}};
+  const unsigned char *byte = (const unsigned char *)string;
+  for (int extra = 0; extra < 4; extra++) {
+    if ((byte[0] & forms[extra].mask) != forms[extra].head) continue;
+    unsigned code = byte[0] & (unsigned char)~forms[extra].mask;
+    for (int i = 1; i <= extra; i++) {
+      if ((byte[i] & 0xc0) != 0x80) return 0;
+      code = code << 6 | (byte[i] & 0x3f);
+    }
+
+    bool surrogate = code >= 0xd800 && code < 0xe000, none = code == 0xfffe || code == 0xffff;
+    return code >= forms[extra].least && code <= 0x10ffff && !surrogate && !none ? extra + 1 : 0;
+  }
+  return 0;
+}
+
+/* Below the space are control characters. */
 void lam_text_quoted(lam_text *text, const char *string) {
   lam_text_bytes(text, "\"", 1);
-  for (; *string; string++) {
+  for (int size; *string; string += size ? size : 1) {
+    size = lam_utf8_size(string);
     if ((unsigned char)*string < ' ') continue;
     if (*string == '"' || *string == '\\') lam_text_bytes(text, "\\", 1);
-    lam_text_bytes(text, string, 1);
+    lam_text_bytes(text, size ? string : "?", size ? (size_t)size : 1);
   }
   lam_text_bytes(text, "\"", 1);
 }

@@ -25,9 +25,12 @@ void lam_text_bytes(lam_text *text, const void *bytes, size_t count);
 /* Appends a string formatted as by printf. Numbers with a decimal sign belong into lam_text_number
  * or lam_text_real: printf writes the locale's. */
 void lam_text_printf(lam_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* Appends string in double quotes, with \ and " escaped by a backslash, control characters
- * dropped. */
+/* Appends string in double quotes, with \ and " escaped by a backslash, control characters dropped;
+ * bytes that are no UTF-8, as names of files may have them, become question marks. */
 void lam_text_quoted(lam_text *text, const char *string);
+/* How many bytes the character at string takes in UTF-8 (1 to 4); 0 when there is none: the string
+ * ends, its bytes are no UTF-8 (RFC 3629), or stand for U+FFFE or U+FFFF, which are none. */
+int lam_utf8_size(const char *string);
 
 /* ---- numbers ---- */
 

@@ -193,11 +193,15 @@ void lam_fill_choice(const lam_filler *filler, const lam_key *key, const lam_nod
   lam_fill_complain(filler, node->location, trail, &text);
 }
 
-/* True for texts without control characters (the C0 set, DEL, and the C1 set, which is C2 80..9F in
- * UTF-8). */
+/* True for texts that every format can hold in a line: without control characters (the C0 set, DEL,
+ * and the C1 set, which is C2 80..9F in UTF-8), the separators of lines and paragraphs (E2 80 A8
+ * and A9), and what is no character. */
 static bool is_one_line(const char *text) {
-  for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-    if (*c < ' ' || *c == 0x7F || (*c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0)) return false;
+  for (int size; *text; text += size) {
+    const unsigned char *c = (const unsigned char *)text;
+    size = lam_utf8_size(text);
+    if (!size || *c < ' ' || *c == 0x7F || (*c == 0xC2 && c[1] < 0xA0)) return false;
+    if (*c == 0xE2 && c[1] == 0x80 && (c[2] == 0xA8 || c[2] == 0xA9)) return false;
   }
   return true;
 }

@@ -58,9 +58,12 @@ bool lam_part_is_sound(lam_arena *arena, const lam_part *part) {
   int *component = LAM_NEW(arena, int, solid->triangle_count);
   int(*fan)[3] = (int(*)[3])lam_arena_alloc(arena, (size_t)solid->triangle_count, sizeof *fan);
 
-  bool sound = lam_topology_make(solid, component, fan, &topology) == LAM_OK && topology.closed &&
-               topology.oriented && topology.components == 1 &&
-               topology.fans == topology.vertices && lam_trimesh_volume(solid) > 0;
+  lam_status status = lam_topology_make(solid, component, fan, &topology);
+  if (status == LAM_NO_MEMORY) lam_arena_exhausted(arena);
+
+  bool sound = status == LAM_OK && topology.closed && topology.oriented &&
+               topology.components == 1 && topology.fans == topology.vertices &&
+               lam_trimesh_volume(solid) > 0;
 
   lam_arena_release(arena, mark);
   return sound;

@@ -112,7 +112,8 @@ static bool read_copy(lam_session *session, lam_new_files *copies, int i) {
 static lam_status copy_design(lam_session *session, const char *name, const char *target,
                               const char *const **files) {
   lam_errors *errors = &session->errors;
-  const char *templates = lam_session_templates(session);
+  const char *templates = lam_session_needs_templates(session);
+  if (!templates) return LAM_OK; /* the message decides */
   const char *const *names = lam_template_designs(session->arena, templates);
   if (!lam_name_known(errors, names, name, "no shipped design is called",
                       "lamella list designs shows them"))

@@ -113,6 +113,15 @@ const char *lam_session_templates(lam_session *session) {
   return session->templates ? session->templates : lam_template_dir(session->arena);
 }
 
+const char *lam_session_needs_templates(lam_session *session) {
+  const char *folder = lam_session_templates(session);
+  if (folder) return folder;
+  lam_error_add(&session->errors, (lam_location){0}, NULL,
+                "the templates folder is not found; set LAMELLA_TEMPLATES");
+  session->errors.status = LAM_IO;
+  return NULL;
+}
+
 lam_added_rows lam_session_rows(const lam_session *session) {
   return (lam_added_rows){&lam_surfaces, session->surface_count, session->surfaces};
 }

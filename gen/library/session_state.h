@@ -66,6 +66,8 @@ lam_status lam_session_exhausted(lam_session *session);
 /* The folder of templates: the one that was set, or the one that is found (templates.h), in the
  * session's memory. NULL: there is none. */
 const char *lam_session_templates(lam_session *session);
+/* The same for a call that cannot do without: NULL with a message and the status LAM_IO. */
+const char *lam_session_needs_templates(lam_session *session);
 /* The rows that a parser looks in beside the registries; pointers into the session. */
 lam_added_rows lam_session_rows(const lam_session *session);
 

@@ -14,6 +14,7 @@
 #include "net/net_kind.h"
 
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 enum { most_designs = 8 }; /* in a row, each starting from the next */
@@ -86,11 +87,21 @@ bool lam_source_parse(lam_session *session, const lam_design_source *source, lam
 
 /* ---- checking ---- */
 
-/* Whether a file that the design names can be read; a message under key otherwise. */
+/* Whether a file that the design names can be read: a plain one, as a pipe would be empty when it
+ * is read again. A message under key otherwise. */
 static bool check_file(const lam_design *design, const char *name, lam_location location,
                        const char *key, lam_errors *errors) {
   if (!name) return true;
   const char *path = beside(errors->arena, design->path, name);
+  struct stat info;
+  if (stat(path, &info) == 0 && !S_ISREG(info.st_mode)) {
+    lam_error_add(errors, location, key, "given %s, which is a %s; expected a file", name,
+                  S_ISDIR(info.st_mode)    ? "folder"
+                  : S_ISFIFO(info.st_mode) ? "pipe"
+                                           : "device");
+    return false;
+  }
+
   if (access(path, R_OK) == 0) return true;
   lam_error_add(errors, location, key, "given %s; expected a file that can be read (looked for %s)",
                 name, path);
@@ -126,15 +137,66 @@ static void check_surface(const lam_design *design, bool make, lam_errors *error
   lam_surface_make(errors->arena, &filled, errors);
 }
 
-/* Whether the setting of the picture is a template; without templates there is nothing to compare
- * with. */
+/* The line of a setting that says which views it has, or NULL: other files in its folder are parts
+ * of settings. "// Views: entrance (also auto), overview (from above)." */
+static const char *views_of(lam_arena *arena, const char *path) {
+  lam_errors unread = {.arena = arena};
+  char *bytes;
+  size_t count;
+  if (lam_file_read(arena, path, 1 << 20, &unread, &bytes, &count) != LAM_OK) return NULL;
+  char *line = strstr(bytes, "// Views:");
+  if (!line) return NULL;
+  line[strcspn(line, "\r\n")] = 0;
+  return line + strlen("// Views:");
+}
+
+/* Whether a view stands in the list: outside of parentheses, or in them after "also". */
+static bool has_view(const char *views, const char *view) {
+  static const char name_ends[] = " ,.();";
+  bool inside = false, also = false;
+  for (size_t length; *views; views += length) {
+    length = strcspn(views, name_ends);
+    if (length == strlen(view) && strncmp(views, view, length) == 0 && (!inside || also))
+      return true;
+    if (length) also = length == 4 && strncmp(views, "also", 4) == 0;
+    if (length) continue;
+    if (*views == '(' || *views == ')') inside = *views == '(';
+    length = 1;
+  }
+  return false;
+}
+
+/* Whether the setting of the picture is a template, and has the view; without templates there is
+ * nothing to compare with. */
 static void check_setting(const char *templates, const lam_design *design, lam_errors *errors) {
   const char *setting = design->render.setting;
-  if (!templates ||
-      access(lam_arena_printf(errors->arena, "%s/pov/%s.inc", templates, setting), R_OK) == 0)
-    return;
-  lam_error_add(errors, design->render.location, "render.setting",
-                "given %s; expected the name of a file in templates/pov, such as plaza", setting);
+  if (!templates) return;
+
+  const char *path = lam_arena_printf(errors->arena, "%s/pov/%s.inc", templates, setting);
+  const char *views = views_of(errors->arena, path);
+  if (!views)
+    lam_error_add(errors, design->render.location, "render.setting",
+                  "given %s; expected the name of a file in templates/pov, such as plaza", setting);
+  else if (!has_view(views, design->render.view))
+    lam_error_add(errors, design->render.location, "render.view",
+                  "given %s; expected a view that %s has:%s", design->render.view, setting, views);
+}
+
+/* The mesh that a net starts from and its reference are read, as a build would do. */
+static void check_net_files(const lam_design *design, const lam_net_common *net, bool read,
+                            lam_errors *errors) {
+  lam_location location = design->net.location;
+  lam_inputs inputs = {0};
+  lam_trimesh reference;
+  if (check_file(design, net->from.file, location, "net.from.file", errors) && read &&
+      net->from.file)
+    lam_start_mesh_read(errors->arena, beside(errors->arena, design->path, net->from.file),
+                        &net->from, location, errors, &inputs);
+
+  const char *near = net->reference.file;
+  if (check_file(design, near, location, "net.reference.file", errors) && read && near)
+    lam_input_triangles(errors->arena, beside(errors->arena, design->path, near), errors,
+                        &reference);
 }
 
 /* Everything is looked at, so that all mistakes are shown at once. */
@@ -147,10 +209,8 @@ void lam_sources_check(lam_session *session, const lam_design *design, bool make
   const lam_net_common *net = net_of(design);
   if (!net) return;
 
-  lam_location location = design->net.location;
-  lam_measures_check(&net->measures, false, location, "net.measures", errors);
-  check_file(design, net->from.file, location, "net.from.file", errors);
-  check_file(design, net->reference.file, location, "net.reference.file", errors);
+  lam_measures_check(&net->measures, false, design->net.location, "net.measures", errors);
+  check_net_files(design, net, make_surface, errors);
 }
 
 /* ---- reading ---- */

@@ -27,7 +27,10 @@ static const char *code_folder(lam_arena *arena) {
   char path[PATH_MAX];
   bool is_library = dladdr((void *)lam_template_dir, &info) && info.dli_fname &&
                     strcmp(info.dli_fname, program_invocation_name) != 0;
-  if (!realpath(is_library ? info.dli_fname : "/proc/self/exe", path)) return NULL;
+  if (!realpath(is_library ? info.dli_fname : "/proc/self/exe", path)) {
+    if (errno == ENOMEM) lam_arena_exhausted(arena);
+    return NULL;
+  }
 
   char *slash = strrchr(path, '/');
   if (!slash) return NULL;
@@ -71,6 +74,7 @@ const char *const *lam_template_designs(lam_arena *arena, const char *folder) {
   enum { most = 1000 };
   const char **names = LAM_NEW(arena, const char *, most + 1);
   DIR *directory = folder ? opendir(lam_arena_printf(arena, "%s/designs", folder)) : NULL;
+  if (!directory && folder && errno == ENOMEM) lam_arena_exhausted(arena);
   if (!directory) return names;
 
   /* Closed with the arena: an allocation below may jump. */

@@ -58,7 +58,9 @@ static void prepare_reference(optimization *o) {
   for (int v = 0; v < given->vertex_count; v++)
     o->reference.vertices[v] = lam_scale(given->vertices[v], 1 / o->unit);
 
-  lam_tree *tree = lam_tree_new(&o->reference);
+  lam_status status;
+  lam_tree *tree = lam_tree_new(&o->reference, &status);
+  if (status == LAM_NO_MEMORY) lam_arena_exhausted(o->arena);
   if (!tree)
     lam_error_add(o->errors, o->job->location, "net.reference",
                   "the mesh cannot be searched; it has no valid triangle");
@@ -502,6 +504,7 @@ bool lam_net_optimize(lam_arena *arena, const lam_net_job *job, lam_net *net, la
   bool chooses_weight = job->reference && !o.keys->reference.weight_given;
   if (!(chooses_weight ? solve_with_best_weight(&o, result) : solve_steps(&o, result)))
     return false;
+  if (lam_tree_ran_out(o.reference_tree)) lam_arena_exhausted(arena);
 
   deliver(&o, result);
   lam_net_measure_result(arena, job, net, o.start_in_meters, result);

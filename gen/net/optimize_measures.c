@@ -42,7 +42,9 @@ void lam_net_measure_result(lam_arena *arena, const lam_net_job *job, const lam_
   if (!isnan(target)) in->target_angle = target;
 
   /* The solver's own tree is in solver units; this one is in meters. */
-  lam_tree *tree = job->reference ? lam_tree_new(job->reference) : NULL;
+  lam_status searched = LAM_OK;
+  lam_tree *tree = job->reference ? lam_tree_new(job->reference, &searched) : NULL;
+  if (searched == LAM_NO_MEMORY) lam_arena_exhausted(arena);
   if (tree) {
     lam_arena_defer(arena, lam_tree_free, tree);
     in->reference = tree;

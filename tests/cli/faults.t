@@ -123,4 +123,43 @@ for verb in "--help" "--version" "list" "show enneper" "check tent.yaml" "build 
   ok "a full disk behind stdout is status 1: $verb" [ $status = 1 ]
   ok "in one line" grep -qx "lamella: stdout cannot be written.*" err
 done
+
+# ---- check finds what build would refuse, in the same status ----
+mkfifo pipe.obj; mkdir folder.obj; : >empty.obj; ln -s /etc/passwd link.obj
+for file in pipe.obj folder.obj empty.obj link.obj /etc/passwd missing.obj; do
+  for key in "from: {file: $file}" "from: {file: roof.obj}, reference: {file: $file}"; do
+    printf 'lamella: 1\nname: bad\nnet: {kind: free, %s}\n' "$key" >bad.yaml
+    timeout 10 "$lamella" check bad.yaml >out 2>err
+    status=$?
+    ok "check refuses $key, in 20 lines at most" [ $status = 2 -a -s err -a "$(wc -l <err)" -le 21 ]
+    cp err checked
+    timeout 10 "$lamella" build bad.yaml -o none >out 2>err
+    status=$?
+    ok "and build in the same words" [ $status = 2 -a ! -e none -a "$(cat err)" = "$(cat checked)" ]
+  done
+done
+picture() { printf 'lamella: 1\nname: tent\nsurface: {kind: enneper}\nrender: {%s}\n' "$1" >picture.yaml; run check picture.yaml; }
+for view in entrance auto overview detail; do
+  picture "setting: plaza, view: $view"
+  ok "the plaza has the view $view" [ $status = 0 ]
+done
+for view in nosuch also from table; do
+  picture "setting: plaza, view: $view"
+  ok "but no view $view" grep -q "^picture.yaml:.* render.view: given $view; expected a view that plaza has: entrance" err
+done
+for setting in camera materials people; do
+  picture "setting: $setting"
+  ok "$setting is a part of settings, and none" grep -q "render.setting: given $setting" err
+done
+
+# ---- without templates ----
+for verb in "list designs" "new hypar-roof -o h.yaml" "build tent.yaml -o none --skip png"; do
+  LAMELLA_TEMPLATES=$scratch/nowhere "$lamella" $verb >out 2>err
+  status=$?
+  ok "a missing folder of templates is said: $verb" [ $status != 0 -a "$(grep -c 'the templates folder is not found; set LAMELLA_TEMPLATES' err)" = 1 ]
+done
+LAMELLA_TEMPLATES=$scratch/nowhere run list
+ok "and in the list of everything" grep -q '^no designs: the templates folder is not found' out
+LAMELLA_TEMPLATES=$scratch/nowhere run show hypar-roof
+ok "and where a design is asked for" grep -q 'the templates folder with the designs is not found' err
 echo "1..$number"

@@ -44,7 +44,7 @@ static void use(lam_arena *arena, const lam_trimesh *read) {
   if (lam_solid_measure(&mesh, true, &facts) != LAM_OK)
     fail("a mesh that was read cannot be measured");
   if (facts.components > facts.triangles || facts.self_intersections < 0) fail("wrong counts");
-  lam_tree *tree = lam_tree_new(&mesh);
+  lam_tree *tree = lam_tree_new(&mesh, NULL);
   if (tree) {
     lam_vec3 closest;
     int triangle;

@@ -72,7 +72,8 @@ lam_status lam_solid_hausdorff(const lam_trimesh *a, const lam_trimesh *b, doubl
   if (!(spacing > 0)) return LAM_BAD_INPUT;
 
   bool failed = false;
-  lam_tree *tree_a = lam_tree_new(a), *tree_b = tree_a ? lam_tree_new(b) : NULL;
+  lam_status status;
+  lam_tree *tree_a = lam_tree_new(a, &status), *tree_b = tree_a ? lam_tree_new(b, &status) : NULL;
   bool *sampled_a = calloc((size_t)a->vertex_count + 1, sizeof(bool));
   bool *sampled_b = calloc((size_t)b->vertex_count + 1, sizeof(bool));
 
@@ -81,9 +82,9 @@ lam_status lam_solid_hausdorff(const lam_trimesh *a, const lam_trimesh *b, doubl
     *b_to_a = one_way(b, tree_a, spacing, sampled_b, &failed);
   }
 
-  lam_status status = !sampled_a || !sampled_b ? LAM_NO_MEMORY
-                      : failed || !tree_b      ? LAM_FAILED
-                                               : LAM_OK;
+  bool ran_out = status == LAM_NO_MEMORY || !sampled_a || !sampled_b || lam_tree_ran_out(tree_a) ||
+                 lam_tree_ran_out(tree_b);
+  status = ran_out ? LAM_NO_MEMORY : failed || !tree_b ? LAM_FAILED : LAM_OK;
   free(sampled_a);
   free(sampled_b);
   lam_tree_free(tree_a);

@@ -23,14 +23,18 @@ lam_status lam_solid_measure(const lam_trimesh *mesh, bool self_intersections,
 
 /* Closest points on a triangle mesh. */
 typedef struct lam_tree lam_tree;
-/* A search tree of a copy of the mesh. NULL on failure: bad indices or coordinates, no triangle
- * with an area, or no memory. Free with lam_tree_free (the signature fits lam_arena_defer; NULL
- * is allowed). */
-lam_tree *lam_tree_new(const lam_trimesh *mesh);
+/* A search tree of a copy of the mesh. NULL on failure, with *status (which may be NULL):
+ * LAM_BAD_INPUT: bad indices or coordinates, or no triangle with an area; LAM_NO_MEMORY,
+ * LAM_FAILED. Free with lam_tree_free (the signature fits lam_arena_defer; NULL is allowed). */
+lam_tree *lam_tree_new(const lam_trimesh *mesh, lam_status *status);
 void lam_tree_free(void *tree);
 /* The point of the mesh nearest to query, and the index of the triangle it lies on. On failure (a
- * query that is not finite), the point is the query and the triangle -1. */
+ * query that is not finite, or no memory for exact numbers), the point is the query and the
+ * triangle -1. */
 void lam_tree_closest(const lam_tree *tree, lam_vec3 query, lam_vec3 *closest, int *triangle);
+/* Whether memory ran out in one of the calls of lam_tree_closest: asked once after many of them.
+ * NULL has not. */
+bool lam_tree_ran_out(const lam_tree *tree);
 
 /* Overlaps of closed solids. A set keeps exact search trees of the solids that were added. */
 typedef struct lam_solid_set lam_solid_set;
@@ -38,7 +42,7 @@ typedef struct lam_solid_set lam_solid_set;
 lam_solid_set *lam_solid_set_new(void);
 void lam_solid_set_free(void *set);
 /* Adds a copy of a solid, placed by frame (NULL: where it stands). Returns its index in the set,
- * or -1 on failure: when it is not closed and oriented, encloses no volume, or without memory. */
+ * -1 when it is not closed and oriented or encloses no volume, -2 without memory. */
 int lam_solid_set_add(lam_solid_set *set, const lam_trimesh *solid, const lam_pose *frame);
 /* All pairs i < j whose bounding boxes overlap, in increasing order: (*pairs)[0 .. *count - 1],
  * freed by the caller with free(). LAM_NO_MEMORY, LAM_FAILED; *pairs is NULL then. */

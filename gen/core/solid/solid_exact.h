@@ -9,10 +9,13 @@
 extern "C" {
 #endif
 
+enum { LAM_SOLID_MOST_PAIRS = 5000000 };
+
 /* The number of pairs of triangles that meet outside their shared vertices and edges. Exact; the
  * mesh may be open and need not be a manifold. Triangles without area are left out: their edges
- * belong to their neighbors. LAM_BAD_INPUT: an index out of range or a coordinate that is not
- * finite. LAM_NO_MEMORY, LAM_FAILED. */
+ * belong to their neighbors. -1 when nobody would wait for the end: more pairs than
+ * LAM_SOLID_MOST_PAIRS and 200 for each triangle have boxes that overlap. LAM_BAD_INPUT: an index
+ * out of range or a coordinate that is not finite. LAM_NO_MEMORY, LAM_FAILED. */
 lam_status lam_solid_self_intersections(const lam_trimesh *mesh, long *count);
 
 #ifdef __cplusplus

@@ -11,6 +11,10 @@
  * the options. */
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
+/* Exact numbers of CGAL's own: GMP ends the whole program when memory runs out, these throw. */
+#define CGAL_NO_GMP 1
+#define CGAL_NO_MPFR 1
+
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -20,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -53,6 +58,9 @@ template <class Function> lam_status guarded(Function function) {
 }
 
 Point point(lam_vec3 p) { return Point(p.x, p.y, p.z); }
+
+/* Thrown out of CGAL's loops when there is more to look at than anybody would wait for. */
+struct Too_many {};
 
 /* ---- triangles in a search tree ---- */
 
@@ -432,6 +440,7 @@ bool usable(const lam_trimesh &mesh) {
 struct lam_tree {
   Soup soup;
   Tree tree;
+  mutable std::atomic<bool> ran_out{false};
 };
 
 struct lam_solid_set {
@@ -446,19 +455,24 @@ lam_status lam_solid_self_intersections(const lam_trimesh *mesh, long *count) {
     if (!usable(*mesh)) return LAM_BAD_INPUT;
     const Soup soup = soup_of(*mesh);
     std::vector<Box> boxes = boxes_of(soup);
-    long found = 0;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
-      found += meet_improperly(soup, a.info(), b.info());
-    });
+    long found = 0, left = LAM_SOLID_MOST_PAIRS + 200l * mesh->triangle_count;
+    try {
+      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
+        if (left-- == 0) throw Too_many();
+        found += meet_improperly(soup, a.info(), b.info());
+      });
+    } catch (const Too_many &) {
+      found = -1;
+    }
     *count = found;
     return LAM_OK;
   });
 }
 
 /* The tree refers to the soup next to it, so both are made in place and stay there. */
-lam_tree *lam_tree_new(const lam_trimesh *mesh) {
+lam_tree *lam_tree_new(const lam_trimesh *mesh, lam_status *status) {
   lam_tree *result = nullptr;
-  guarded([&] {
+  lam_status made_it = guarded([&] {
     if (!usable(*mesh)) return LAM_BAD_INPUT;
     auto made = std::make_unique<lam_tree>();
     made->soup = soup_of(*mesh);
@@ -468,6 +482,7 @@ lam_tree *lam_tree_new(const lam_trimesh *mesh) {
     result = made.release();
     return LAM_OK;
   });
+  if (status) *status = made_it;
   return result;
 }
 
@@ -478,13 +493,16 @@ void lam_tree_closest(const lam_tree *tree, lam_vec3 query, lam_vec3 *closest, i
   *closest = query;
   *triangle = -1;
   if (!std::isfinite(query.x) || !std::isfinite(query.y) || !std::isfinite(query.z)) return;
-  guarded([&] {
+  lam_status status = guarded([&] {
     auto found = tree->tree.closest_point_and_primitive(point(query));
     *closest = lam_v3(found.first.x(), found.first.y(), found.first.z());
     *triangle = found.second;
     return LAM_OK;
   });
+  if (status == LAM_NO_MEMORY) tree->ran_out = true;
 }
+
+bool lam_tree_ran_out(const lam_tree *tree) { return tree && tree->ran_out; }
 
 lam_solid_set *lam_solid_set_new(void) { return new (std::nothrow) lam_solid_set; }
 void lam_solid_set_free(void *set) { delete static_cast<lam_solid_set *>(set); }
@@ -492,14 +510,14 @@ void lam_solid_set_free(void *set) { delete static_cast<lam_solid_set *>(set); }
 /* An empty solid is what solid_of refuses. */
 int lam_solid_set_add(lam_solid_set *set, const lam_trimesh *solid, const lam_pose *frame) {
   int index = -1;
-  guarded([&] {
+  lam_status status = guarded([&] {
     Solid made = solid_of(*solid, frame);
     if (made.components.empty()) return LAM_BAD_INPUT;
     set->solids.push_back(std::move(made));
     index = (int)set->solids.size() - 1;
     return LAM_OK;
   });
-  return index;
+  return status == LAM_NO_MEMORY ? -2 : index;
 }
 
 /* Sorted, because the order in which CGAL finds the pairs is its own. */

@@ -22,6 +22,9 @@ typedef struct cutting_job {
   int unplaced; /* pieces, or parts that could not be split, that lie on no sheet: told each */
 } cutting_job;
 
+/* How many pieces a part is cut into at most. */
+enum { most_pieces = 200 };
+
 /* The key of the design that messages about the size of the stock name. */
 static const char *const stock_key = "sheets.stock";
 
@@ -95,6 +98,13 @@ static void split_part(cutting_job *job, int index, group_cuts *earlier) {
   const lam_part *part = &job->parts[index];
   const lam_flat *flat = part->flat;
   double length = lam_axis_make(job->arena, flat->axis, flat->axis_count).length, *cuts;
+  if (length > most_pieces * job->room[0]) {
+    lam_error_add(job->errors, job->location, stock_key,
+                  "%s is %.0f m long, the sheet has room for %.0f mm; expected parts of at most %d "
+                  "sheets' lengths",
+                  part->name, length, job->room[0] * 1e3, most_pieces);
+    return;
+  }
   if (part->group < 0 || earlier->group != part->group)
     *earlier = (group_cuts){part->group, 0, 0, NULL};
 
@@ -171,10 +181,7 @@ static bool apply_kerf(cutting_job *job, lam_piece *piece) {
       continue;
     }
 
-    lam_status status = lam_offset_polygon(path->points, path->count, half, moved, &path->count);
-    /* Running out of memory inside C++ is passed on here, outside of its frames. */
-    if (status == LAM_NO_MEMORY) lam_arena_exhausted(job->arena);
-    if (status != LAM_OK) {
+    if (!lam_offset_polygon(job->arena, path->points, path->count, half, moved, &path->count)) {
       lam_error_add(job->errors, job->location, "sheets.kerf",
                     "%s has a slot or hole narrower than the kerf of %.3f mm", piece->label,
                     job->options.kerf * 1e3);

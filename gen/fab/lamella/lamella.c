@@ -117,6 +117,36 @@ static void check_names(lam_workshop *shop, const lam_lamella_grid *grid, lam_lo
       }
 }
 
+/* The least distance between neighboring nodes of a lamella, m; infinite when none has two. */
+static double least_spacing(lam_workshop *shop, const lam_lamella_grid *grid) {
+  const lam_grid_node **node_at =
+      LAM_NEW(shop->arena, const lam_grid_node *, shop->net->mesh.vertex_count);
+  for (int i = 0; i < grid->node_count; i++) node_at[grid->nodes[i].vertex] = &grid->nodes[i];
+
+  double least = INFINITY;
+  for (int i = 0; i < grid->strip_count; i++) {
+    const lam_polyline *axis = &grid->axes[grid->strips[i].group];
+    const lam_grid_node *before = NULL;
+    for (int k = 0; k < axis->count; k++) {
+      const lam_grid_node *node = node_at[axis->vertices[k]];
+      if (node && before) least = fmin(least, lam_distance(node->x, before->x));
+      if (node) before = node;
+    }
+  }
+  return least;
+}
+
+/* Sheets of a pair that are farther apart than its nodes would stand behind each other's slots. */
+static void check_pair(lam_workshop *shop, const lam_lamella_keys *k, const lam_lamella_grid *grid,
+                       lam_location location) {
+  double least = k->pair > 0 ? least_spacing(shop, grid) : INFINITY;
+  if (k->pair + k->thickness < least) return;
+  lam_error_add(shop->errors, location, "pair",
+                "%g mm; expected less than %.0f mm, as the nearest crossings of a lamella are %.0f "
+                "mm apart",
+                k->pair * 1e3, fmax(0, least - k->thickness) * 1e3, least * 1e3);
+}
+
 /* ---- records for OpenSCAD ---- */
 static const lam_record_column columns[] = {
     {"x", true, 4},        {"y", true, 4},         {"z", true, 4},        {"tx", false, 7},
@@ -277,6 +307,7 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
     return;
 
   check_names(shop, grid, location);
+  check_pair(shop, k, grid, location);
   if (!grid->strip_count)
     lam_error_add(shop->errors, location, "families", "the net has no polylines of these families");
   if (shop->errors->count > before) return;

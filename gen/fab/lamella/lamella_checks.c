@@ -292,12 +292,15 @@ static void measure_angles(lam_workshop *shop, lam_stage *stage, const lam_lamel
  * The stage has converged only when all of them are sound and could be checked. */
 static void measure_solids(lam_workshop *shop, lam_stage *stage, const lam_lamella_grid *grid) {
   long open = 0, turned = 0, crossed = 0, failed = 0;
+  bool ran_out = false;
   for (int i = 0; i < grid->strip_count; i++) {
     lam_solid_facts facts;
     lam_progress_tell(shop->progress, "checking solids", (double)i / grid->strip_count,
                       grid->strips[i].name);
 
-    if (lam_solid_measure(&shop->parts[grid->strips[i].part].solid, true, &facts) != LAM_OK) {
+    lam_status status = lam_solid_measure(&shop->parts[grid->strips[i].part].solid, true, &facts);
+    if (status != LAM_OK) {
+      ran_out = ran_out || status == LAM_NO_MEMORY;
       failed++;
       continue;
     }
@@ -311,6 +314,7 @@ static void measure_solids(lam_workshop *shop, lam_stage *stage, const lam_lamel
   measure_number(shop, stage, "unoriented_parts", turned, grid->strip_count);
   measure_number(shop, stage, "self_intersecting_parts", crossed, grid->strip_count);
   stage->converged = !(open || turned || crossed || failed);
+  if (ran_out) stage->reason = "out of memory";
   if (failed) lam_stage_note(shop->arena, stage, "%ld parts could not be checked", failed);
 }
 
@@ -328,23 +332,19 @@ void lam_lamella_stage(lam_workshop *shop, const lam_lamella_grid *grid,
 /* ---- the stage "clash" ---- */
 
 /* Puts all parts that are more than drawn, instance by instance, into the set; part_of[i] is the
- * part of its solid i. Returns their number, or -1 when the library fails. */
-static int add_solids(lam_workshop *shop, lam_solid_set *set, int *part_of) {
-  int count = 0;
+ * part of its solid i. */
+static lam_status add_solids(lam_workshop *shop, lam_solid_set *set, int *part_of) {
   for (int i = 0; i < shop->part_count; i++) {
     const lam_part *part = &shop->parts[i];
     if (part->drawn) continue;
     for (int k = 0; k < (part->instance_count ? part->instance_count : 1); k++) {
-
       int index =
           lam_solid_set_add(set, &part->solid, part->instance_count ? &part->instances[k] : NULL);
-
-      if (index < 0) return -1;
+      if (index < 0) return index == -2 ? LAM_NO_MEMORY : LAM_FAILED;
       part_of[index] = i;
-      count++;
     }
   }
-  return count;
+  return LAM_OK;
 }
 
 /* What was found: count pairs of `pairs` overlap, by at most max and altogether by sum (m^3).
@@ -359,7 +359,7 @@ typedef struct clash {
 /* Overlaps of all pairs whose boxes do. The solids and the list of pairs belong to the library;
  * they are freed with the arena. Stops at the first pair that fails, which is then the worst. */
 static clash measure_clash(lam_workshop *shop) {
-  clash c = {.status = LAM_FAILED};
+  clash c = {.status = LAM_NO_MEMORY};
   lam_solid_set *set = lam_solid_set_new();
   if (!set) return c;
   lam_arena_defer(shop->arena, lam_solid_set_free, set);
@@ -368,7 +368,8 @@ static clash measure_clash(lam_workshop *shop) {
   for (int i = 0; i < shop->part_count; i++)
     solids += shop->parts[i].instance_count ? shop->parts[i].instance_count : 1;
   int *part_of = LAM_NEW(shop->arena, int, solids);
-  if (add_solids(shop, set, part_of) < 0) return c;
+  c.status = add_solids(shop, set, part_of);
+  if (c.status != LAM_OK) return c;
 
   c.status = lam_solid_set_candidates(set, &pairs, &pair_count);
   if (c.status != LAM_OK) return c;
@@ -405,8 +406,12 @@ void lam_workshop_clash(lam_workshop *shop) {
   lam_stage *stage = lam_workshop_stage(shop, "clash");
   const char *names[2] = {shop->parts[c.worst[0]].name, shop->parts[c.worst[1]].name};
   stage->converged = c.status == LAM_OK && c.count == 0;
-  if (!stage->converged) stage->reason = c.status == LAM_OK ? "parts overlap" : "not computed";
+  if (!stage->converged)
+    stage->reason = c.status == LAM_OK          ? "parts overlap"
+                    : c.status == LAM_NO_MEMORY ? "not computed: out of memory"
+                                                : "not computed";
 
+  if (c.status == LAM_NO_MEMORY) return;
   if (c.status != LAM_OK) {
     lam_stage_note(shop->arena, stage, "the overlap of parts could not be computed (%s, %s)",
                    names[0], names[1]);

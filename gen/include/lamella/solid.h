@@ -20,7 +20,7 @@ typedef struct lam_solid_facts {
   int euler;               /* V - E + F */
   int genus;               /* sum over the components; -1 when not closed or not manifold */
   long self_intersections; /* pairs of triangles that meet outside their shared vertices and edges;
-                              -1: not asked */
+                              -1: not asked, or too many to wait for */
   double volume, area;     /* m^3, m^2; volume: 0 when not closed */
   lam_vec3 centroid;       /* of the volume (closed) or of the area */
   double inertia[6];       /* of the tensor about the centroid, density 1, m^5: xx, yy, zz, xy, yz,

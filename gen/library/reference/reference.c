@@ -59,6 +59,13 @@ static lam_status list(lam_session *session, const char *chosen, const char **ou
     if (!chosen) lam_text_printf(&text, "%s%s\n", text.length ? "\n" : "", section->name);
     add_section(session, &text, section, chosen ? 0 : 2);
   }
+
+  /* Designs are files: without their folder the list of all says so, and theirs is no list. */
+  if (chosen && strcmp(chosen, "designs") == 0 && !lam_session_needs_templates(session))
+    return LAM_OK;
+  if (!chosen && !lam_session_templates(session))
+    lam_text_add(&text, "\nno designs: the templates folder is not found; set LAMELLA_TEMPLATES\n");
+
   *out = text.length ? text.data : "";
   return LAM_OK;
 }
@@ -133,7 +140,10 @@ static lam_status page(lam_session *session, const char *name, const char **out)
     *out = text.data;
   else
     lam_name_known(&session->errors, known.items, name, "nothing is called",
-                   "lamella list shows all names");
+                   lam_session_templates(session)
+                       ? "lamella list shows all names"
+                       : "the templates folder with the designs is not found; set "
+                         "LAMELLA_TEMPLATES");
   return LAM_OK;
 }
 

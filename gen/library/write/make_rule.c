@@ -9,7 +9,7 @@
 /* What would end a name in a rule, or begin something else, is escaped as make wants it. */
 static void add_name(lam_text *text, const char *name) {
   for (; *name; name++) {
-    if (*name == ' ' || *name == '#' || *name == ':') lam_text_add(text, "\\");
+    if (strchr(" #:*?[", *name)) lam_text_add(text, "\\");
     if (*name == '$') lam_text_add(text, "$");
     lam_text_bytes(text, name, 1);
   }

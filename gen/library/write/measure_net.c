@@ -52,7 +52,9 @@ static bool prepare(lam_session *session, const lam_measure_task *task, lam_meas
   in->axis = task->axis;
   if (!task->reference) return true;
 
-  lam_tree *tree = lam_tree_new(task->reference);
+  lam_status status;
+  lam_tree *tree = lam_tree_new(task->reference, &status);
+  if (status == LAM_NO_MEMORY) lam_arena_exhausted(session->arena);
   if (!tree) {
     lam_error_add(&session->errors, nowhere, "--reference",
                   "the mesh cannot be searched; it has no valid triangle");

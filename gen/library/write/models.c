@@ -89,13 +89,8 @@ static bool prepare(writing *w, const lam_model *model) {
   lam_arena *arena = session->arena;
   if (!check_options(session, w->options)) return false;
 
-  w->output.templates = lam_session_templates(session);
-  if (!w->output.templates) {
-    lam_error_add(&session->errors, nowhere, NULL,
-                  "the templates folder is not found; set LAMELLA_TEMPLATES");
-    session->errors.status = LAM_IO;
-    return false;
-  }
+  w->output.templates = lam_session_needs_templates(session);
+  if (!w->output.templates) return false;
 
   const char *folder = trimmed(arena, w->options->folder);
   w->model = w->options->timings || !model->report ? model : without_times(arena, model);

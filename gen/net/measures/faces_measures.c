@@ -3,7 +3,7 @@
 #include "mesh/tangential.h"
 #include "net/measures/measure.h"
 
-#include <complex.h>
+#include "core/complex_number.h"
 #include <math.h>
 
 /* The four corners of face f. */
@@ -56,7 +56,7 @@ static void cross_ratio(const lam_measuring *in, double *values) {
     complex double edge[4];
     for (int k = 0; k < 4; k++) {
       lam_vec3 E = lam_sub(c[(k + 1) % 4], c[k]);
-      edge[k] = CMPLX(lam_dot(E, x), lam_dot(E, y));
+      edge[k] = lam_complex(lam_dot(E, x), lam_dot(E, y));
     }
     values[f] = cabs(edge[0] * edge[2] / (edge[1] * edge[3]) + 1);
   }

@@ -12,6 +12,7 @@ static void distance_to_reference(const lam_measuring *in, double *values) {
     lam_tree_closest(in->reference, in->positions[v], &closest, &triangle);
     values[v] = triangle < 0 ? NAN : lam_distance(in->positions[v], closest);
   }
+  if (lam_tree_ran_out(in->reference)) lam_arena_exhausted(in->arena);
 }
 
 /* The net as triangles in in->arena, each face split along the diagonal from corner 0
@@ -37,6 +38,7 @@ static void distance_from_reference(const lam_measuring *in, double *values) {
   lam_trimesh faces = split_faces(in);
   double there, back;
   lam_status status = lam_solid_hausdorff(in->reference_mesh, &faces, in->mean_edge, &there, &back);
+  if (status == LAM_NO_MEMORY) lam_arena_exhausted(in->arena);
   values[0] = status == LAM_OK ? there : NAN;
 }
 

@@ -13,7 +13,7 @@
  * of a quarter turn, zeta = (p + i q) i^s. */
 #include "core/numbers.h"
 #include "surf/surface_kind.h"
-#include <complex.h>
+#include "core/complex_number.h"
 
 /* The parameters of a row, and the data: the order k. */
 typedef struct lam_enneper {
@@ -42,7 +42,7 @@ static lam_vec3 imaginary_part(lam_triple f) { return lam_v3(cimag(f.x), cimag(f
  * vv. */
 static void eval(const void *data, double u, double v, lam_jet *jet) {
   int k = ((const lam_enneper *)data)->order, m = 2 * k + 1;
-  complex double w = CMPLX(u, v), down = CMPLX(0, -1); /* Im F = Re(-i F) */
+  complex double w = lam_complex(u, v), down = lam_complex(0, -1); /* Im F = Re(-i F) */
 
   complex double dg = power(w, k - 1), g = dg * w; /* dg: w^(k-1) */
   lam_triple f = {w - g * g * w / m, down * (w + g * g * w / m), 2 * g * w / (k + 1)};

@@ -12,6 +12,9 @@ lam_vec3 *lam_points_read(lam_arena *arena, const lam_list *list, int unit) {
   return points;
 }
 
+/* Fits take seconds with so many points. */
+enum { most_points = 100000 };
+
 /* The points of the file, in meters; NULL with a message at `file`. */
 static const lam_vec3 *from_file(lam_arena *arena, const lam_point_keys *keys, int least,
                                  lam_location location, lam_errors *errors, int *count) {
@@ -25,6 +28,13 @@ static const lam_vec3 *from_file(lam_arena *arena, const lam_point_keys *keys, i
   if (cloud->count < least) {
     lam_error_add(errors, location, "file", "%s has %d points; expected %d or more", cloud->file,
                   cloud->count, least);
+    return NULL;
+  }
+
+  if (cloud->count > most_points) {
+    lam_error_add(errors, location, "file",
+                  "%s has %d points; expected at most %d: every %d-th of them will do", cloud->file,
+                  cloud->count, most_points, (cloud->count - 1) / most_points + 1);
     return NULL;
   }
 

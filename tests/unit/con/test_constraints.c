@@ -44,7 +44,7 @@ static subject subject_of(net_fixture *f, int net, const lam_constraint_kind *ki
   s.reference = lam_mesh_triangles(f->arena, &s.net.mesh);
   lam_mesh_perturb(&s.net.mesh, 1. / 7, 1 + net);
   s.problem = lam_problem_new(f->arena, mesh.vertex_count, s.net.mesh.vertices);
-  lam_tree *tree = lam_tree_new(&s.reference);
+  lam_tree *tree = lam_tree_new(&s.reference, NULL);
   lam_arena_defer(f->arena, lam_tree_free, tree);
   lam_trimesh *reference = LAM_NEW(f->arena, lam_trimesh, 1);
   *reference = s.reference;
@@ -297,7 +297,7 @@ static void proximity_measures_the_distance(void **state) {
     subject s = subject_of(f, net, &lam_con_proximity, "{}");
     follow(s.problem);
     const lam_block *block = &s.problem->blocks[0];
-    lam_tree *tree = lam_tree_new(&s.reference);
+    lam_tree *tree = lam_tree_new(&s.reference, NULL);
     for (int e = 0; e < block->count; e++) {
       double r, nearest = INFINITY;
       lam_vec3 v = s.net.mesh.vertices[block->nodes[e]], foot;

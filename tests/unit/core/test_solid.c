@@ -162,11 +162,11 @@ static void wrong_meshes_are_refused(void **state) {
   lam_solid_facts f;
   cube.triangles[5][1] = 8;
   assert_int_equal(lam_solid_measure(&cube, true, &f), LAM_BAD_INPUT);
-  assert_null(lam_tree_new(&cube));
+  assert_null(lam_tree_new(&cube, NULL));
   cube.triangles[5][1] = 5;
   cube.vertices[3].x = NAN;
   assert_int_equal(lam_solid_measure(&cube, true, &f), LAM_BAD_INPUT);
-  assert_null(lam_tree_new(&cube));
+  assert_null(lam_tree_new(&cube, NULL));
   cube = mesh_cube(*state, 0, 0, 0, 1);
   cube.triangle_count = 11;
   lam_solid_set *set = lam_solid_set_new();
@@ -182,7 +182,7 @@ static void wrong_meshes_are_refused(void **state) {
 /* Feet of points on a unit cube: on a face, on an edge, on a corner, from inside. */
 static void closest_points_on_a_cube(void **state) {
   lam_trimesh cube = mesh_cube(*state, 0, 0, 0, 1);
-  lam_tree *tree = lam_tree_new(&cube);
+  lam_tree *tree = lam_tree_new(&cube, NULL);
   const lam_vec3 queries[4] = {{0.25, 0.5, 3}, {2, 2, 0.3}, {-1, -1, -1}, {0.5, 0.4, 0.1}};
   const lam_vec3 feet[4] = {{0.25, 0.5, 1}, {1, 1, 0.3}, {0, 0, 0}, {0.5, 0.4, 0}};
   for (int i = 0; i < 4; i++) {

@@ -381,6 +381,39 @@ static void masks_of_pictures(void **state) {
   assert_memory_equal(mask.pixels, expected, 9);
 }
 
+/* RFC 3629, section 3 and 10: the ends of each length; overlong forms, surrogates, numbers above
+ * 10FFFF and cut-off sequences are none. Quoted, each wrong byte becomes a question mark. */
+static void only_utf8_is_a_character(void **state) {
+  static const struct {
+    const char *text;
+    int size;
+  } cases[] = {{"", 0},
+               {"a", 1},
+               {"\x7f", 1},
+               {"\xc2\x80", 2},
+               {"\xdf\xbf", 2},
+               {"\xe0\xa0\x80", 3},
+               {"\xef\xbf\xbd", 3},
+               {"\xf0\x90\x80\x80", 4},
+               {"\xf4\x8f\xbf\xbf", 4},
+               {"\xc0\x80", 0},
+               {"\xc1\xbf", 0},
+               {"\xe0\x9f\xbf", 0},
+               {"\xed\xa0\x80", 0},
+               {"\xef\xbf\xbe", 0},
+               {"\xef\xbf\xbf", 0},
+               {"\xf4\x90\x80\x80", 0},
+               {"\x80", 0},
+               {"\xff", 0},
+               {"\xe2\x82", 0}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    assert_int_equal(lam_utf8_size(cases[i].text), cases[i].size);
+
+  lam_text text = {.arena = *state};
+  lam_text_quoted(&text, "\xe2\x82\xac\xff\xe2\x82");
+  assert_string_equal(text.data, "\"\xe2\x82\xac???\"");
+}
+
 #define TEST(function) cmocka_unit_test_setup_teardown(function, set_up, tear_down)
 
 int main(void) {
@@ -389,6 +422,7 @@ int main(void) {
       TEST(reals_read_back),
       TEST(bytes_have_the_little_end_first),
       TEST(quoted_texts_are_one_line),
+      TEST(only_utf8_is_a_character),
       TEST(texts_grow),
       TEST(arrays_keep_their_items),
       TEST(marks_release_what_came_after),

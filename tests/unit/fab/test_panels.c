@@ -32,7 +32,7 @@ static double distance_between(const lam_trimesh *a, const lam_trimesh *b) {
   double least = INFINITY;
   for (int turn = 0; turn < 2; turn++) {
     const lam_trimesh *from = turn ? b : a, *to = turn ? a : b;
-    lam_tree *tree = lam_tree_new(to);
+    lam_tree *tree = lam_tree_new(to, NULL);
     assert_non_null(tree);
     for (int v = 0; v < from->vertex_count; v++) {
       lam_vec3 closest;

@@ -281,7 +281,7 @@ static void dxf_in_the_order_of_work(void **state) {
 static void svg_of_a_sheet(void **state) {
   const char *const expected[] = {
       SVG("500", "250"),
-      "<title>A &quot;hut&quot; &amp; &lt;shed>: steel-1</title>\n",
+      "<title>A &quot;hut&quot; &amp; &lt;shed&gt;: steel-1</title>\n",
       "<desc>steel, 1.5004 mm thick; kerf is not compensated</desc>\n",
       STYLE,
       FRAME("M0,250 L500,250 500,0 0,0 Z"),
@@ -311,7 +311,7 @@ static void svg_of_a_sheet(void **state) {
 static void svg_tells_copies_apart(void **state) {
   const char *const expected[] = {
       SVG("1234.5679", "1000"),
-      "<title>A &quot;hut&quot; &amp; &lt;shed>: any-2</title>\n",
+      "<title>A &quot;hut&quot; &amp; &lt;shed&gt;: any-2</title>\n",
       "<desc>any material, 12.0006 mm thick; kerf of 0.2 mm is compensated</desc>\n",
       STYLE,
       FRAME("M0,1000 L1234.5679,1000 1234.5679,0 0,0 Z"),

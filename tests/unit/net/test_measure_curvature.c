@@ -178,7 +178,7 @@ static void distances_to_a_reference(void **state) {
   lam_vec3 corners[4] = {{-.5, -.5, 0}, {3.5, -.5, 0}, {3.5, 3.5, 0}, {-.5, 3.5, 0}};
   int triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
   lam_trimesh reference = {4, corners, 2, triangles};
-  lam_tree *tree = lam_tree_new(&reference);
+  lam_tree *tree = lam_tree_new(&reference, NULL);
   lam_arena_defer(f->arena, lam_tree_free, tree);
   lam_net net = net_built(f, &mesh);
   lam_measuring in = lam_measuring_of(f->arena, &net, mesh.vertices);

@@ -33,7 +33,7 @@ static const lam_measure *measured_enlarged(net_fixture *f, double factor) {
   scale_all(start.vertices, 56, factor);
   scale_all(corners, 4, factor);
 
-  lam_tree *tree = lam_tree_new(&reference);
+  lam_tree *tree = lam_tree_new(&reference, NULL);
   lam_arena_defer(f->arena, lam_tree_free, tree);
   lam_net net = net_built(f, &mesh);
   lam_measuring in = lam_measuring_of(f->arena, &net, mesh.vertices);

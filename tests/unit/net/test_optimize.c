@@ -264,7 +264,7 @@ static lam_trimesh reference_of(net_fixture *f, double scale, double bend) {
 }
 
 static double farthest(const outcome *o, const lam_vec3 *positions, const lam_trimesh *reference) {
-  lam_tree *tree = lam_tree_new(reference);
+  lam_tree *tree = lam_tree_new(reference, NULL);
   double most = 0;
   for (int v = 0; v < o->net.mesh.vertex_count; v++) {
     lam_vec3 foot;

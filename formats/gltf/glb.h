@@ -1,15 +1,11 @@
-/* glTF binaries through tinygltf: the boundary to the only C++ of formats/gltf, called by
- * gltf_scene.c. A scene is plain constant data that the caller owns; nothing of it is changed or
- * kept. */
-#ifndef LAM_FORMATS_GLTF_GLTF_SHIM_H
-#define LAM_FORMATS_GLTF_GLTF_SHIM_H
+/* Scenes, and glTF 2.0 binaries of them: written by glb.c, called by the glTF writers beside it. A
+ * scene is plain constant data that the caller owns; nothing of it is changed or kept. */
+#ifndef LAM_FORMATS_GLTF_GLB_H
+#define LAM_FORMATS_GLTF_GLB_H
 
 #include "core/error.h"
+#include "core/text.h"
 #include <stdbool.h>
-
-#ifdef __cplusplus
-extern "C" {
-#endif
 
 typedef struct lam_gltf_material {
   const char *name;
@@ -70,13 +66,9 @@ typedef struct lam_gltf_scene {
   size_t picture_size; /* bytes */
 } lam_gltf_scene;
 
-/* The bytes of a .glb file: *bytes, *count of them, to be freed with free(). LAM_OK,
- * LAM_NO_MEMORY or LAM_FAILED (then *bytes is NULL). The same scene gives the same bytes. No
- * exception leaves it. */
-lam_status lam_gltf_encode(const lam_gltf_scene *scene, char **bytes, size_t *count);
-
-#ifdef __cplusplus
-}
-#endif
+/* Adds the bytes of the .glb file of a scene to out. The same scene gives the same bytes. When
+ * memory runs out, control goes to the arena's recovery point. LAM_OK, or LAM_FAILED when the file
+ * would be larger than the 4 GB that its format can tell. */
+lam_status lam_glb_write(const lam_gltf_scene *scene, lam_text *out);
 
 #endif
