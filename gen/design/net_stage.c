@@ -108,6 +108,45 @@ static bool initial_mesh(lam_build *build, const lam_net_kind *kind, const lam_n
   return true;
 }
 
+/* ---- what it takes ---- */
+
+/* Bytes that building and solving a net of n vertices takes: the factor of a net has entries as n
+ * log n. Measured on asymptotic nets: 9.6 kB a vertex of 100 x 100, 11.8 of 200 x 200, 11.6 of
+ * 400 x 400. */
+static double bytes_for(double n) { return n * (2000 + 600 * log2(fmax(n, 2))); }
+
+/* Says before the work begins when it takes more memory than there is, and what would fit: by a
+ * grid when the net is made of one (else NULL). */
+static bool fits_memory(lam_build *build, double vertices, const int grid[2],
+                        lam_location location) {
+  double most = lam_memory_most(), share = 1;
+  if (bytes_for(vertices) <= most) return true;
+  while (bytes_for(share * vertices) > most) share *= 0.98;
+
+  const char *fitting =
+      grid ? lam_arena_printf(build->arena, "a grid of [%.0f, %.0f] would fit",
+                              floor(sqrt(share) * grid[0]), floor(sqrt(share) * grid[1]))
+           : lam_arena_printf(build->arena, "%.0f vertices would fit", floor(share * vertices));
+  lam_error_add(build->errors, location, grid ? "net.grid" : "net",
+                "%.0f vertices take about %.1f GB, and there are %.1f GB of memory; %s", vertices,
+                bytes_for(vertices) / 1e9, most / 1e9, fitting);
+  return false;
+}
+
+/* The same for the grid that a net is asked for, before a surface is sampled. */
+static bool grid_fits_memory(lam_build *build, const lam_net_common *common,
+                             lam_location location) {
+  double cells = (double)common->grid[0] * common->grid[1];
+  return fits_memory(build, cells, common->grid, location);
+}
+
+/* The same for what subdividing makes of the net: four faces of each, and about as many
+ * vertices. */
+static bool subdivision_fits_memory(lam_build *build, int times, lam_location location) {
+  double faces = ldexp(build->net->mesh.face_count, 2 * times);
+  return !times || fits_memory(build, faces, NULL, location);
+}
+
 /* ---- changes ---- */
 
 /* Makes the mesh the net of the build. */
@@ -143,6 +182,7 @@ static bool refine(lam_build *build, lam_mesh *mesh, const lam_net_common *commo
     if (!build_net(build, mesh, location)) return false;
   }
 
+  if (!subdivision_fits_memory(build, common->subdivide, location)) return false;
   for (int i = 0; i < common->subdivide; i++) {
     *mesh = lam_net_four_point(build->arena, build->net);
     if (!build_net(build, mesh, location)) return false;
@@ -262,38 +302,6 @@ static void set_on_ground(lam_build *build, const lam_net_common *common) {
   double lift = lam_mesh_ground(&build->net->mesh);
   build->placement.lift += lift;
   lift_frames(build, lift);
-}
-
-/* ---- what it takes ---- */
-
-/* Bytes that building and solving a net of n vertices takes: the factor of a net has entries as n
- * log n. Measured on asymptotic nets: 9.6 kB a vertex of 100 x 100, 11.8 of 200 x 200, 11.6 of
- * 400 x 400. */
-static double bytes_for(double n) { return n * (2000 + 600 * log2(fmax(n, 2))); }
-
-/* Says before the work begins when it takes more memory than there is, and what would fit: by a
- * grid when the net is made of one (else NULL). */
-static bool fits_memory(lam_build *build, double vertices, const int grid[2],
-                        lam_location location) {
-  double most = lam_memory_most(), share = 1;
-  if (bytes_for(vertices) <= most) return true;
-  while (bytes_for(share * vertices) > most) share *= 0.98;
-
-  const char *fitting =
-      grid ? lam_arena_printf(build->arena, "a grid of [%.0f, %.0f] would fit",
-                              floor(sqrt(share) * grid[0]), floor(sqrt(share) * grid[1]))
-           : lam_arena_printf(build->arena, "%.0f vertices would fit", floor(share * vertices));
-  lam_error_add(build->errors, location, grid ? "net.grid" : "net",
-                "%.0f vertices take about %.1f GB, and there are %.1f GB of memory; %s", vertices,
-                bytes_for(vertices) / 1e9, most / 1e9, fitting);
-  return false;
-}
-
-/* The same for the grid that a net is asked for, before a surface is sampled. */
-static bool grid_fits_memory(lam_build *build, const lam_net_common *common,
-                             lam_location location) {
-  double cells = (double)common->grid[0] * common->grid[1];
-  return fits_memory(build, cells, common->grid, location);
 }
 
 /* ---- the stage ---- */

@@ -37,6 +37,11 @@ else
   ok "a grid that does not fit the memory is refused before it is made" [ $status = 2 -a ! -e none ]
   ok "with what it takes, what there is and what would fit" \
     grep -qE 'net.grid: 360000 vertices take about 4\.7 GB, and there are 2\.0 GB of memory; a grid of \[4[0-9]{2}, 4[0-9]{2}\] would fit' err
+  # 30 x 30 faces, each cut into 4 six times: 900 x 4096
+  printf 'lamella: 1\nname: fine\nsurface: {kind: enneper, size: 4 m}\nnet: {kind: asymptotic, grid: [30, 30], subdivide: 6}\n' >fine.yaml
+  (ulimit -v 2000000 && exec timeout 10 "$lamella" check fine.yaml) >out 2>err
+  status=$?
+  ok "so is one that is subdivided too often" grep -q 'net: 3686400 vertices take about .* vertices would fit' err
 fi
 
 # The nearest crossings of this net are 564 mm apart.
