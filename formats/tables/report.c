@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A number of 10 significant digits, null when it is not finite. The caller owns it. */
 static json_t *number(double value) {
@@ -16,15 +17,22 @@ static json_t *number(double value) {
   return json_real(strtod(digits, NULL));
 }
 
+/* A count has one value; the caller owns the entry. */
+static json_t *measure_entry(const lam_measure *m) {
+  if (strcmp(m->unit, LAM_UNIT_COUNT) == 0)
+    return json_pack("{s:o, s:s}", "value",
+                     isfinite(m->max) ? json_integer((json_int_t)m->max) : json_null(), "unit",
+                     m->unit);
+  return json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean", number(m->mean),
+                   "max", number(m->max), "unit", m->unit, "count", (json_int_t)m->count);
+}
+
 /* The measures of a stage, by name. The caller owns them. */
 static json_t *stage_measures(const lam_stage *stage) {
   json_t *measures = json_object();
   for (int i = 0; i < stage->measure_count; i++) {
     const lam_measure *m = &stage->measures[i];
-    json_object_set_new(measures, m->name,
-                        json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean",
-                                  number(m->mean), "max", number(m->max), "unit", m->unit, "count",
-                                  (json_int_t)m->count));
+    json_object_set_new(measures, m->name, measure_entry(m));
   }
   return measures;
 }

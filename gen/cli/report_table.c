@@ -2,28 +2,37 @@
 #include "cli/report_table.h"
 
 #include <math.h>
+#include <string.h>
 
-/* In 16 columns. The minimum of a stage that keeps none is left blank. */
-static void print_min(const lam_measure *m, FILE *out) {
-  if (isnan(m->min) && !isnan(m->max))
-    fprintf(out, "%-16s", "");
-  else
-    fprintf(out, "min %-11.5g ", m->min);
+/* A word and its number in 16 columns, blank for a number that a stage does not keep. */
+static void print_number(const char *word, double value, FILE *out) {
+  char number[32] = "";
+  if (!isnan(value)) snprintf(number, sizeof number, "%s %.5g", word, value);
+  fprintf(out, "%-15s ", number);
 }
 
-/* A line per measure; "undefined" for one that no element has a value of. */
+/* The numbers of a measure that has some: a count alone, or all with their unit. */
+static void print_numbers(const lam_measure *m, FILE *out) {
+  if (strcmp(m->unit, LAM_UNIT_COUNT) == 0) {
+    fprintf(out, "%.0f\n", m->max);
+    return;
+  }
+  print_number("min", m->min, out);
+  print_number("mean", m->mean, out);
+  print_number("max", m->max, out);
+  fprintf(out, "count %ld%s%s\n", m->count, *m->unit ? "  " : "", m->unit);
+}
+
+/* A line per measure; "undefined" for one that no element has a value of, or that has a value that
+ * is not a number. */
 void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
   for (int i = 0; i < count; i++) {
     const lam_measure *m = &measures[i];
     fprintf(out, "  %-26s ", m->name);
-    if (m->count == 0 && isnan(m->max)) {
+    if (isnan(m->max))
       fprintf(out, "undefined\n");
-      continue;
-    }
-
-    print_min(m, out);
-    fprintf(out, "mean %-11.5g max %-11.5g count %ld%s%s\n", m->mean, m->max, m->count,
-            *m->unit ? "  " : "", m->unit);
+    else
+      print_numbers(m, out);
   }
 }
 

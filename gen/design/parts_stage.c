@@ -1,9 +1,9 @@
 /* The stages that make parts and nest them on sheets; lines of the net stand in for axes of parts.
  * Called by pipeline_run.c. */
 #include "design/stages.h"
-#include "fab/part_names.h"
 #include "fab/flat/sheet.h"
 #include "fab/lamella/lamella_checks.h"
+#include "fab/part_names.h"
 
 #include <math.h>
 
@@ -61,18 +61,21 @@ bool lam_build_parts(lam_build *build, lam_workshop *workshop) {
   return build->errors->count == before;
 }
 
-/* The number of sheets and how much of them is used, in the report: the maximum of sheet_used is
- * the unused share of the emptiest sheet, its mean the used share of a sheet. */
+/* The number of sheets in the report, and the used share of the emptiest, a mean and the fullest
+ * one. */
 static void report_sheets(const lam_build *build, lam_stage *stage, const lam_sheets *sheets) {
-  double used = 0, least = 1;
+  double used = 0, least = INFINITY, most = 0;
   for (int i = 0; i < sheets->count; i++) {
     used += sheets->sheets[i].used / sheets->count;
     least = fmin(least, sheets->sheets[i].used);
+    most = fmax(most, sheets->sheets[i].used);
   }
 
   int count = sheets->count;
-  lam_stage_measure(build->arena, stage, "sheet_count", "", count, count, count);
-  lam_stage_measure(build->arena, stage, "sheet_used", "", 1 - least, used, count);
+  lam_stage_count(build->arena, stage, "sheet_count", count);
+  if (count)
+    lam_stage_measure_add(build->arena, stage,
+                          (lam_measure){"sheet_used", "", least, most, used, count});
 }
 
 /* Nothing to do when no part has a flat pattern. */
