@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Sets a key of a map, or (key NULL) appends to a list, and hands over the value. Whatever could
  * not be made (no memory, no UTF-8) is NULL, and *lost is true from then on. */
@@ -24,18 +25,28 @@ static json_t *number(double value) {
   return json_real(strtod(digits, NULL));
 }
 
+/* A count has one value; the caller owns the entry. */
+static json_t *measure_entry(bool *lost, const lam_measure *m) {
+  json_t *one = json_object();
+  if (strcmp(m->unit, LAM_UNIT_COUNT) == 0) {
+    put(lost, one, "value", isfinite(m->max) ? json_integer((json_int_t)m->max) : json_null());
+    put(lost, one, "unit", json_string(m->unit));
+    return one;
+  }
+  put(lost, one, "min", number(m->min));
+  put(lost, one, "mean", number(m->mean));
+  put(lost, one, "max", number(m->max));
+  put(lost, one, "unit", json_string(m->unit));
+  put(lost, one, "count", json_integer((json_int_t)m->count));
+  return one;
+}
+
 /* The measures of a stage, by name. The caller owns them. */
 static json_t *stage_measures(bool *lost, const lam_stage *stage) {
   json_t *measures = json_object();
   for (int i = 0; i < stage->measure_count; i++) {
     const lam_measure *m = &stage->measures[i];
-    json_t *one = json_object();
-    put(lost, one, "min", number(m->min));
-    put(lost, one, "mean", number(m->mean));
-    put(lost, one, "max", number(m->max));
-    put(lost, one, "unit", json_string(m->unit));
-    put(lost, one, "count", json_integer((json_int_t)m->count));
-    put(lost, measures, m->name, one);
+    put(lost, measures, m->name, measure_entry(lost, m));
   }
   return measures;
 }

@@ -4,33 +4,39 @@
 #include <math.h>
 #include <string.h>
 
-/* A word and a number in 16 columns, blank when nobody has kept the number. */
-static void print_value(const char *word, double value, FILE *out) {
-  if (isnan(value))
-    fprintf(out, "%-*s ", (int)strlen(word) + 12, "");
-  else
-    fprintf(out, "%s %-11.5g ", word, value);
+/* A word and its number in 16 columns, blank for a number that a stage does not keep. */
+static void print_number(const char *word, double value, FILE *out) {
+  char number[32] = "";
+  if (!isnan(value)) snprintf(number, sizeof number, "%s %.5g", word, value);
+  fprintf(out, "%-15s ", number);
 }
 
-/* A line per measure; "undefined" for one that no element has a value of. What is one number, such
- * as a count or a sum, has neither mean nor maximum. */
+/* The numbers of a measure that has some: a count or a sum alone, or all with their unit. */
+static void print_numbers(const lam_measure *m, FILE *out) {
+  if (strcmp(m->unit, LAM_UNIT_COUNT) == 0) {
+    fprintf(out, "%.0f\n", m->max);
+    return;
+  }
+  if (isnan(m->min) && m->mean == m->max) {
+    fprintf(out, "%.6g%s%s\n", m->max, *m->unit ? " " : "", m->unit);
+    return;
+  }
+  print_number("min", m->min, out);
+  print_number("mean", m->mean, out);
+  print_number("max", m->max, out);
+  fprintf(out, "count %ld%s%s\n", m->count, *m->unit ? "  " : "", m->unit);
+}
+
+/* A line per measure; "undefined" for one that no element has a value of, or that has a value that
+ * is not a number. */
 void lam_measures_print(const lam_measure *measures, int count, FILE *out) {
   for (int i = 0; i < count; i++) {
     const lam_measure *m = &measures[i];
     fprintf(out, "  %-26s ", m->name);
-    if (m->count == 0 && isnan(m->max)) {
+    if (isnan(m->max))
       fprintf(out, "undefined\n");
-      continue;
-    }
-
-    if (isnan(m->min) && m->mean == m->max) {
-      fprintf(out, "%.6g%s%s\n", m->max, *m->unit ? " " : "", m->unit);
-      continue;
-    }
-    print_value("min", m->min, out);
-    print_value("mean", m->mean, out);
-    print_value("max", m->max, out);
-    fprintf(out, "count %ld%s%s\n", m->count, *m->unit ? "  " : "", m->unit);
+    else
+      print_numbers(m, out);
   }
 }
 

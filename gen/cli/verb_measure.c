@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const char usage[] =
     "usage: lamella measure MESH [--as NET] [--angle DEGREES] [--reference FILE] "
@@ -65,15 +66,22 @@ static int read_options(const char *angle, const char *axis, double numbers[6],
 /* null: undefined, or not a number. */
 static json_t *number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
 
+/* As in report.json (formats/tables/report.c): a count has one value. */
+static json_t *measure_entry(const lam_measure *m) {
+  if (strcmp(m->unit, LAM_UNIT_COUNT) == 0)
+    return json_pack("{s:o, s:s}", "value",
+                     isfinite(m->max) ? json_integer((json_int_t)m->max) : json_null(), "unit",
+                     m->unit);
+  return json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean", number(m->mean),
+                   "max", number(m->max), "unit", m->unit, "count", (json_int_t)m->count);
+}
+
 /* The measures by name, beside a few facts of the mesh. Returns the exit status. */
 static int print_json(const lam_measure_task *task, const lam_measured *measured) {
   json_t *list = json_object();
   for (int i = 0; i < measured->measure_count; i++) {
     const lam_measure *m = &measured->measures[i];
-    json_object_set_new(list, m->name,
-                        json_pack("{s:o, s:o, s:o, s:s, s:I}", "min", number(m->min), "mean",
-                                  number(m->mean), "max", number(m->max), "unit", m->unit, "count",
-                                  (json_int_t)m->count));
+    json_object_set_new(list, m->name, measure_entry(m));
   }
 
   json_t *root = json_pack("{s:s, s:i, s:i, s:i, s:o}", "mesh", task->name, "vertices",

@@ -22,6 +22,10 @@ void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, con
   lam_stage_measure_add(arena, stage, (lam_measure){name, unit, NAN, max, mean, count});
 }
 
+void lam_stage_count(lam_arena *arena, lam_stage *stage, const char *name, double value) {
+  lam_stage_measure_add(arena, stage, (lam_measure){name, LAM_UNIT_COUNT, value, value, value, 1});
+}
+
 /* Copied into the arena after formatting: as long as the sentence, not as the buffer. */
 void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...) {
   char text[512];

@@ -18,6 +18,9 @@ void lam_stage_measure_add(lam_arena *arena, lam_stage *stage, lam_measure measu
 void lam_stage_measure(lam_arena *arena, lam_stage *stage, const char *name, const char *unit,
                        double max, double mean, long count);
 
+/* Adds a count (model.h): of things, such as parts or sheets that are wrong. */
+void lam_stage_count(lam_arena *arena, lam_stage *stage, const char *name, double value);
+
 /* Adds a sentence, formatted as by printf and cut off after 511 bytes. The text and the array of
  * notes are owned by arena. */
 void lam_stage_note(lam_arena *arena, lam_stage *stage, const char *format, ...)

@@ -63,9 +63,10 @@ bool lam_build_parts(lam_build *build, lam_workshop *workshop) {
   return build->errors->count == before;
 }
 
-/* The number of sheets and how much of them is used, in the report. */
+/* The number of sheets in the report, and the used share of the emptiest, a mean and the fullest
+ * one. */
 static void report_sheets(const lam_build *build, lam_stage *stage, const lam_sheets *sheets) {
-  double used = 0, least = 1, most = 0;
+  double used = 0, least = INFINITY, most = 0;
   for (int i = 0; i < sheets->count; i++) {
     used += sheets->sheets[i].used / sheets->count;
     least = fmin(least, sheets->sheets[i].used);
@@ -73,7 +74,7 @@ static void report_sheets(const lam_build *build, lam_stage *stage, const lam_sh
   }
 
   int count = sheets->count;
-  lam_stage_measure(build->arena, stage, "sheet_count", "", count, count, count);
+  lam_stage_count(build->arena, stage, "sheet_count", count);
   if (count)
     lam_stage_measure_add(build->arena, stage,
                           (lam_measure){"sheet_used", "", least, most, used, count});

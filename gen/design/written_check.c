@@ -67,8 +67,7 @@ void lam_build_check_written(lam_workshop *workshop) {
   lam_stage *stage = lam_workshop_stage(workshop, "files");
   stage->converged = false;
   stage->reason = "solids lose their shape in 32-bit coordinates";
-  lam_stage_measure(workshop->arena, stage, "parts_broken_by_writing", "", (double)broken,
-                    (double)broken / workshop->part_count, workshop->part_count);
+  lam_stage_count(workshop->arena, stage, "parts_broken_by_writing", broken);
   lam_stage_note(workshop->arena, stage,
                  "read back from STL, %s is not the closed solid that it was: its details are too "
                  "small for its distance from the origin",

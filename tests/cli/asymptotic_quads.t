@@ -31,8 +31,8 @@ for design in asymptotic-quad-enneper asymptotic-quad-roof; do
   check "its control net is written" surfaces $design 1
 done
 skin=asymptotic-pavilion-skin
-check "the pavilion has a patch in every cell: 6 (8 x 8 - 1)" within $skin skin patch_count max 378 378
-check "none is left out" within $skin skin cells_left_out max 0 0
+check "the pavilion has a patch in every cell: 6 (8 x 8 - 1)" within $skin skin patch_count value 378 378
+check "none is left out" within $skin skin cells_left_out value 0 0
 check "neighbors have the same normals" within $skin skin normal_jump max 0 1e-9
 check "and the same edges" within $skin skin gap max 0 1e-12
 check "all edges are asymptotic curves of the skin" within $skin skin edge_normal_curvature max 0 1e-9

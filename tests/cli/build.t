@@ -27,9 +27,9 @@ check "its families cross at 90 degrees within 1e-6" within "$(measure "$report"
 check "its nodes do so too" within "$(measure "$report" lamellas crossing_angle_deviation max)" 0 1e-6
 check "its lamellas unroll straight within 5e-5 of their length" within "$(measure "$report" lamellas unrolled_straightness max)" 0 5e-5
 check "no two of its parts overlap" within "$(measure "$report" clash clash_volume_sum max)" 0 0
-check "more than a thousand pairs were checked for that" within "$(measure "$report" clash pairs_checked max)" 1000 1e9
+check "more than a thousand pairs were checked for that" within "$(measure "$report" clash pairs_checked value)" 1000 1e9
 for fault in open_parts unoriented_parts self_intersecting_parts; do
-  check "it has no $fault" within "$(measure "$report" lamellas $fault max)" 0 0
+  check "it has no $fault" within "$(measure "$report" lamellas $fault value)" 0 0
 done
 check "it has at least 15 + 15 lamellas" perl -e 'my %f; for (glob "$ARGV[0]/sheets/*.svg") { open my $s, "<", $_; while (<$s>) { $f{$1}{$2} = 1 while /\b([AB])(\d\d)a\b/g } }
   exit !(keys %{$f{A}} >= 15 && keys %{$f{B}} >= 15)' "$work/pavilion"

@@ -44,7 +44,7 @@ check "parameter lines are not traced, and have no coverage" [ -z "$(measure w1 
 # Lines that go around a hill came back onto themselves: 42 faces over others.
 build w2 --set net.grid=[12,12]
 check "lines end where others are laid already" [ $status = 0 ]
-check "so that no face lies on another" within "$(measure w2 net overlaps max)" 0 0
+check "so that no face lies on another" within "$(measure w2 net overlaps value)" 0 0
 
 # The area falls by a billionth per step for ever, and by a hundred thousandth with finer knots.
 build wavy-film
@@ -65,6 +65,16 @@ check "and no half of the one that failed" [ -z "$(ls "$work/late/parts" | grep 
 # One line for the edge of the sheet, and the strokes of the letters.
 lines() { awk '/^POLYLINE/ { new = 1 } new && /^DEFPOINTS/ { n++; new = 0 } END { print n }' "$1"; }
 check "sheets of parts that overlap say so" [ "$(lines "$work/late/sheets/sheet-01.dxf")" -gt 30 ]
+# A count has neither minimum nor mean.
+check "a count has its value and no spread" perl -MJSON::PP -e 'local $/; open my $f, "<", shift or die;
+  my ($c) = map { $_->{measures} } grep { $_->{stage} eq "clash" } @{decode_json(<$f>)->{stages}};
+  exit !(join(" ", sort keys %{$c->{pairs_checked}}) eq "unit value" && $c->{clash_count}{value} =~ /^\d+$/)' "$work/late/report.json"
+check "also in the table" grep -qE '^  pairs_checked +[0-9]+$' "$work/late.out"
+# Shares of sheets: the fullest is used at least as much as the mean, and that as the emptiest.
+check "sheet_used is the used share" perl -MJSON::PP -e 'local $/; open my $f, "<", shift or die;
+  my ($s) = map { $_->{measures}{sheet_used} } grep { $_->{stage} eq "sheets" } @{decode_json(<$f>)->{stages}};
+  exit !(0 < $s->{min} && $s->{min} <= $s->{mean} && $s->{mean} <= $s->{max} && $s->{max} < 1)' "$work/late/report.json"
+check "no number of the table is nan" sh -c '! grep -w nan "$0"' "$work/late.out"
 build late --quiet
 check "--quiet leaves what failed" grep -q '^lamella: node-connector: failed: parts' "$work/late.err"
 check "in the order of the stages" grep -q '^lamella: net: asymptotic: not converged' <(head -1 "$work/late.err")

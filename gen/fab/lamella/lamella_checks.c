@@ -152,13 +152,6 @@ static void measure_spread(lam_workshop *shop, lam_stage *stage, const char *nam
         (lam_measure){name, unit, s->min, s->max, s->sum / (double)s->count, s->count});
 }
 
-/* Adds a count, and its share of all. */
-static void measure_number(lam_workshop *shop, lam_stage *stage, const char *name, long value,
-                           long of) {
-  lam_stage_measure(shop->arena, stage, name, "", (double)value,
-                    of ? (double)value / (double)of : 0, of);
-}
-
 /* One measure per number of lam_strip_measures, over all strips; then a note that holds the
  * largest strain of all against what the material bears. */
 static void measure_strips(lam_workshop *shop, lam_stage *stage, const lam_lamella_grid *grid,
@@ -310,9 +303,9 @@ static void measure_solids(lam_workshop *shop, lam_stage *stage, const lam_lamel
     crossed += facts.self_intersections != 0;
   }
 
-  measure_number(shop, stage, "open_parts", open, grid->strip_count);
-  measure_number(shop, stage, "unoriented_parts", turned, grid->strip_count);
-  measure_number(shop, stage, "self_intersecting_parts", crossed, grid->strip_count);
+  lam_stage_count(shop->arena, stage, "open_parts", (double)open);
+  lam_stage_count(shop->arena, stage, "unoriented_parts", (double)turned);
+  lam_stage_count(shop->arena, stage, "self_intersecting_parts", (double)crossed);
   stage->converged = !(open || turned || crossed || failed);
   if (ran_out) stage->reason = "out of memory";
   if (failed) lam_stage_note(shop->arena, stage, "%ld parts could not be checked", failed);
@@ -421,9 +414,8 @@ void lam_workshop_clash(lam_workshop *shop) {
   lam_stage_measure(shop->arena, stage, "clash_volume", "m3", c.max,
                     c.pairs ? c.sum / (double)c.pairs : 0, c.pairs);
   lam_stage_measure(shop->arena, stage, "clash_volume_sum", "m3", c.sum, c.sum, c.pairs);
-  measure_number(shop, stage, "clash_count", c.count, c.pairs);
-  lam_stage_measure(shop->arena, stage, "pairs_checked", "", (double)c.pairs, (double)c.pairs,
-                    c.pairs);
+  lam_stage_count(shop->arena, stage, "clash_count", (double)c.count);
+  lam_stage_count(shop->arena, stage, "pairs_checked", (double)c.pairs);
 
   if (drawn) lam_stage_note(shop->arena, stage, "%d parts are drawn only and were left out", drawn);
   if (c.count)

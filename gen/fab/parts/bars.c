@@ -258,14 +258,13 @@ static void report(bar_set *set, int first) {
   }
 
   int distinct = distinct_lengths(shop->arena, &shop->parts[first], set->count);
-  lam_stage_measure(shop->arena, stage, "bar_count", "", n, n, set->count);
+  lam_stage_count(shop->arena, stage, "bar_count", n);
   lam_stage_measure(shop->arena, stage, "bar_length", "m", longest, length / n, set->count);
   lam_stage_measure(shop->arena, stage, "bar_length_sum", "m", length, length, set->count);
   lam_stage_measure(shop->arena, stage, "bar_mass", "kg", heaviest, mass / n, set->count);
   lam_stage_measure(shop->arena, stage, "bar_mass_sum", "kg", mass, mass, set->count);
-  lam_stage_measure(shop->arena, stage, "distinct_lengths", "", distinct, distinct, set->count);
-  lam_stage_measure(shop->arena, stage, "unsound_bars", "", (double)unsound, (double)unsound / n,
-                    set->count);
+  lam_stage_count(shop->arena, stage, "distinct_lengths", distinct);
+  lam_stage_count(shop->arena, stage, "unsound_bars", unsound);
 
   stage->converged = unsound == 0;
   if (!stage->converged) stage->reason = "solids that are not sound";

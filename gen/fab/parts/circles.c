@@ -176,9 +176,9 @@ static void tell(lam_workshop *shop, lam_stage *stage, const summary *s, const c
     lam_stage_note(shop->arena, stage, "%ld circles are too small for their width", s->left_out);
   if (!s->count) return;
   double n = (double)s->count;
-  lam_stage_measure(shop->arena, stage, count, "", n, n, s->count);
+  lam_stage_count(shop->arena, stage, count, n);
   lam_stage_measure(shop->arena, stage, diameter, "m", 2 * s->largest, 2 * s->sum / n, s->count);
-  lam_stage_measure(shop->arena, stage, distinct, "", (double)s->kinds, (double)s->kinds, s->count);
+  lam_stage_count(shop->arena, stage, distinct, s->kinds);
 }
 
 /* Rings first, then balls; nothing at all to make is an error. */
@@ -208,8 +208,7 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   tell(shop, stage, &balls, "ball_count", "ball_diameter", "distinct_balls");
 
   double unsound = (double)(rings.unsound + balls.unsound);
-  lam_stage_measure(shop->arena, stage, "unsound_parts", "", unsound, unsound,
-                    rings.kinds + balls.kinds);
+  lam_stage_count(shop->arena, stage, "unsound_parts", unsound);
   stage->converged = unsound == 0;
   if (!stage->converged) stage->reason = "solids that are not sound";
 }

@@ -179,10 +179,9 @@ static void report(lam_workshop *shop, const sheet *s, const lam_part *part, dou
   lam_stage_measure(shop->arena, stage, "flattening_strain", "", f->max_strain, f->rms_strain,
                     s->mesh.edge_count);
   lam_stage_measure(shop->arena, stage, "bending_strain", "", bending, bending, s->mesh.edge_count);
-  lam_stage_measure(shop->arena, stage, "turned_triangles", "", f->flips, f->flips,
-                    s->mesh.triangle_count);
-  lam_stage_measure(shop->arena, stage, "outline_crossings", "", crossings, crossings, 1);
-  lam_stage_measure(shop->arena, stage, "unsound_sheets", "", unsound, unsound, 1);
+  lam_stage_count(shop->arena, stage, "turned_triangles", f->flips);
+  lam_stage_count(shop->arena, stage, "outline_crossings", crossings);
+  lam_stage_count(shop->arena, stage, "unsound_sheets", unsound);
 
   if (f->max_strain > part->material->max_strain)
     lam_stage_note(shop->arena, stage,

@@ -128,8 +128,7 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   lam_workshop_part(shop, part);
 
   lam_stage *stage = lam_workshop_stage(shop, "frames");
-  lam_stage_measure(shop->arena, stage, "frame_count", "", part.instance_count, part.instance_count,
-                    part.instance_count);
+  lam_stage_count(shop->arena, stage, "frame_count", part.instance_count);
   if (tilt.count)
     lam_stage_measure(shop->arena, stage, "normal_binormal_sine", "", tilt.max,
                       tilt.sum / (double)tilt.count, tilt.count);

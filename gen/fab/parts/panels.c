@@ -191,18 +191,15 @@ static void report(lam_workshop *shop, const panel_set *set, int first, int clas
   }
 
   double n = (double)set->count;
-  lam_stage_measure(shop->arena, stage, "panel_count", "", n, n, set->count);
+  lam_stage_count(shop->arena, stage, "panel_count", n);
   measure(shop, stage, "panel_area", "m2", &area);
   measure(shop, stage, "panel_diagonal", "m", &size);
   measure(shop, stage, "panel_mass", "kg", &mass);
   lam_stage_measure(shop->arena, stage, "panel_mass_sum", "kg", mass.sum, mass.sum, set->count);
   measure(shop, stage, "warp", "mm", &warp);
-  lam_stage_measure(shop->arena, stage, "twisted_panels", "", (double)twisted, (double)twisted / n,
-                    set->count);
-  lam_stage_measure(shop->arena, stage, "distinct_panels", "", classes, classes,
-                    set->count - twisted);
-  lam_stage_measure(shop->arena, stage, "unsound_panels", "", unsound.sum, unsound.sum / n,
-                    set->count);
+  lam_stage_count(shop->arena, stage, "twisted_panels", twisted);
+  lam_stage_count(shop->arena, stage, "distinct_panels", classes);
+  lam_stage_count(shop->arena, stage, "unsound_panels", unsound.sum);
 
   stage->converged = unsound.sum == 0;
   if (!stage->converged) stage->reason = "solids that are not sound";

@@ -53,8 +53,7 @@ static void tell(skin *s, const lam_skin_net *cells, const lam_skin_fit *fit) {
   lam_arena *arena = s->shop->arena;
   int folded = cells->cell_count - fit->made, left_out = cells->irregular + folded;
 
-  lam_stage_measure(arena, s->stage, "cells_left_out", "", left_out, left_out,
-                    cells->cell_count + cells->irregular);
+  lam_stage_count(arena, s->stage, "cells_left_out", left_out);
   lam_stage_measure(arena, s->stage, "star_tilt", "deg", fit->tilt * 180 / LAM_PI, NAN,
                     s->shop->net->mesh.vertex_count);
 
@@ -174,8 +173,7 @@ static void add_parts(skin *s, const lam_skin_mesh *mesh) {
 
   lam_stage_measure(shop->arena, s->stage, "piece_mass", "kg", heaviest, mass / count, count);
   lam_stage_measure(shop->arena, s->stage, "piece_mass_sum", "kg", mass, mass, count);
-  lam_stage_measure(shop->arena, s->stage, "unsound_pieces", "", (double)unsound,
-                    (double)unsound / count, count);
+  lam_stage_count(shop->arena, s->stage, "unsound_pieces", unsound);
   s->stage->converged = unsound == 0 && s->fitted;
 }
 
@@ -186,7 +184,7 @@ static void report(skin *s, const lam_skin_mesh *mesh) {
   lam_arena *arena = s->shop->arena;
   lam_skin_facts f = lam_skin_measure(arena, mesh, s->surfaces);
 
-  lam_stage_measure(arena, s->stage, "patch_count", "", s->count, s->count, s->count);
+  lam_stage_count(arena, s->stage, "patch_count", s->count);
   if (f.seams) {
     lam_stage_measure(arena, s->stage, "normal_jump", "rad", f.jump, f.jump_sum / f.seams, f.seams);
     lam_stage_measure(arena, s->stage, "gap", "m", f.gap, NAN, f.seams);
@@ -205,8 +203,7 @@ static void report(skin *s, const lam_skin_mesh *mesh) {
   lam_stage_measure_add(
       arena, s->stage,
       (lam_measure){"gaussian_curvature", "1/m^2", f.least_k, f.largest_k, NAN, f.samples});
-  lam_stage_measure(arena, s->stage, "not_saddle", "", (double)f.domes,
-                    (double)f.domes / (double)f.samples, f.samples);
+  lam_stage_count(arena, s->stage, "not_saddle", f.domes);
 
   if (f.domes)
     lam_stage_note(arena, s->stage,
@@ -224,7 +221,7 @@ static void make(lam_workshop *shop, const void *params, lam_location location) 
   if (s.keys->from == FROM_NET)
     report(&s, &mesh);
   else
-    lam_stage_measure(shop->arena, s.stage, "patch_count", "", s.count, s.count, s.count);
+    lam_stage_count(shop->arena, s.stage, "patch_count", s.count);
   add_parts(&s, &mesh);
 }
 

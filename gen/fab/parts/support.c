@@ -206,14 +206,13 @@ static void report(const support_set *set, int first, int classes) {
     unsound += !lam_part_is_sound(shop->arena, part);
   }
 
-  lam_stage_measure(shop->arena, stage, "support_count", "", n, n, set->count);
+  lam_stage_count(shop->arena, stage, "support_count", n);
   lam_stage_measure(shop->arena, stage, "support_length", "m", longest, length / n, set->count);
   lam_stage_measure(shop->arena, stage, "support_mass", "kg", heaviest, mass / n, set->count);
   lam_stage_measure(shop->arena, stage, "support_mass_sum", "kg", mass, mass, set->count);
   lam_stage_measure(shop->arena, stage, "warp", "mm", set->warp * 1e3, warp / n * 1e3, set->count);
-  lam_stage_measure(shop->arena, stage, "distinct_supports", "", classes, classes, set->count);
-  lam_stage_measure(shop->arena, stage, "unsound_supports", "", (double)unsound,
-                    (double)unsound / n, set->count);
+  lam_stage_count(shop->arena, stage, "distinct_supports", classes);
+  lam_stage_count(shop->arena, stage, "unsound_supports", unsound);
 
   stage->converged = unsound == 0;
   if (!stage->converged) stage->reason = "solids that are not sound";

@@ -158,7 +158,9 @@ typedef struct lam_sheet {
 /* ---- report ---- */
 
 /* What was measured on a number of elements (vertices, edges, faces, ...). NaN: undefined, or not
- * known (the minimum of a stage that keeps none). */
+ * known (the minimum of a stage that keeps none). A count of things (parts that clash, sheets) has
+ * the unit LAM_UNIT_COUNT, its value in min, max and mean, and 1 as count. */
+#define LAM_UNIT_COUNT "count"
 typedef struct lam_measure {
   const char *name, *unit; /* unit: "" when there is none */
   double min, max, mean;   /* in the unit */

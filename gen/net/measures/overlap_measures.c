@@ -100,7 +100,7 @@ static void overlaps(const lam_measuring *in, double *values) {
 }
 
 const lam_measure_kind lam_measure_overlaps = {
-    "overlaps", "",
+    "overlaps", LAM_UNIT_COUNT,
     "number of faces whose center lies on another face: within a quarter of their side, planes "
     "within 30 degrees, no vertex shared",
     LAM_ON_NET, overlaps};

@@ -46,8 +46,8 @@ static void flatness(const lam_measuring *in, double *values) {
 }
 
 const lam_measure_kind lam_measure_foldovers = {
-    "foldovers", "", "number of edges whose two faces turn by more than 120 degrees", LAM_ON_NET,
-    foldovers};
+    "foldovers", LAM_UNIT_COUNT, "number of edges whose two faces turn by more than 120 degrees",
+    LAM_ON_NET, foldovers};
 const lam_measure_kind lam_measure_flatness = {
     "flatness", "",
     "spread of the vertices of all stars across their common plane over the spread along it",

@@ -134,8 +134,7 @@ static void report(lam_arena *arena, const void *data, lam_stage *stage) {
   lam_stage_measure(arena, stage, "flattening_strain", "", flat.max_strain, flat.rms_strain,
                     mesh.edge_count);
   double distortion = report_stretch(arena, &mesh, flat.points, stage);
-  lam_stage_measure(arena, stage, "turned_triangles", "", flat.flips, flat.flips,
-                    mesh.triangle_count);
+  lam_stage_count(arena, stage, "turned_triangles", flat.flips);
 
   lam_stage_note(arena, stage,
                  "Coons surface before: |K| %.4g in the mean square, at most %.4g 1/m2",
