@@ -70,15 +70,15 @@ static void panels_are_counted_and_weighed(void **state) {
     assert_fact(part, 6, "warp", "m", 0);
     assert_true(part->family == -1 && part->group == -1);
   }
-  assert_told(&shop, "panels", "panel_count", "", 4, 4, 4);
+  assert_told(&shop, "panels", "panel_count", LAM_UNIT_COUNT, 4, 4, 1);
   assert_told(&shop, "panels", "panel_area", "m2", .99 * 1.99, area / 4, 4);
   assert_told(&shop, "panels", "panel_diagonal", "m", hypot(.99, 1.99), diagonal, 4);
   assert_told(&shop, "panels", "panel_mass", "kg", 50 * .99 * 1.99, mass / 4, 4);
   assert_told(&shop, "panels", "panel_mass_sum", "kg", mass, mass, 4);
   assert_told(&shop, "panels", "warp", "mm", 0, 0, 4);
-  assert_told(&shop, "panels", "twisted_panels", "", 0, 0, 4);
-  assert_told(&shop, "panels", "distinct_panels", "", 4, 4, 4);
-  assert_told(&shop, "panels", "unsound_panels", "", 0, 0, 4);
+  assert_told(&shop, "panels", "twisted_panels", LAM_UNIT_COUNT, 0, 0, 1);
+  assert_told(&shop, "panels", "distinct_panels", LAM_UNIT_COUNT, 4, 4, 1);
+  assert_told(&shop, "panels", "unsound_panels", LAM_UNIT_COUNT, 0, 0, 1);
   assert_true(shop.stages[0].converged);
   assert_int_equal(shop.stages[0].note_count, 0);
   make(&shop, "panels", "{}");
@@ -146,7 +146,7 @@ static void twisted_panels_are_told(void **state) {
     lam_workshop shop = shop_of(state, 2, 2, raised);
     make(&shop, "panels",
          lam_arena_printf(*state, "{flat: %.6f}", warp / diagonal * (flat ? 1.001 : .999)));
-    assert_told(&shop, "panels", "twisted_panels", "", !flat, !flat, 1);
+    assert_told(&shop, "panels", "twisted_panels", LAM_UNIT_COUNT, !flat, !flat, 1);
     assert_told(&shop, "panels", "warp", "mm", 1e3 * warp, 1e3 * warp, 1);
     assert_int_equal(shop.parts[0].flat != NULL, flat);
     assert_int_equal(shop.stages[0].note_count, !flat);
@@ -295,9 +295,9 @@ static void a_plane_sheet_is_its_own_pattern(void **state) {
   assert_string_equal(fixture_measure(&shop, "flat-pattern", "flat_area")->unit, "m2");
   assert_near(fixture_measure(&shop, "flat-pattern", "sheet_mass")->max, mass, 1e-6);
   assert_below(fixture_measure(&shop, "flat-pattern", "flattening_strain")->max, 1e-8);
-  assert_told(&shop, "flat-pattern", "turned_triangles", "", 0, 0, 128);
-  assert_told(&shop, "flat-pattern", "outline_crossings", "", 0, 0, 1);
-  assert_told(&shop, "flat-pattern", "unsound_sheets", "", 0, 0, 1);
+  assert_told(&shop, "flat-pattern", "turned_triangles", LAM_UNIT_COUNT, 0, 0, 1);
+  assert_told(&shop, "flat-pattern", "outline_crossings", LAM_UNIT_COUNT, 0, 0, 1);
+  assert_told(&shop, "flat-pattern", "unsound_sheets", LAM_UNIT_COUNT, 0, 0, 1);
   assert_near(part->flat->max.x, 2, 1e-7);
   assert_near(part->flat->max.y, 1, 1e-7);
   assert_int_equal(part->flat->paths[0].count, 32);

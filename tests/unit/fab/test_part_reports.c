@@ -60,13 +60,13 @@ static void bars_are_counted_and_weighed(void **state) {
   make(&shop, "bars", "{profile: square, diameter: 60 mm, gap: 0, material: oak}");
   double s = .06, cube = s * s * s, sum = 690 * (18 * s * s - 3 * cube);
   assert_int_equal(shop.part_count, 12);
-  assert_told(&shop, "bars", "bar_count", "", 12, 12, 12);
+  assert_told(&shop, "bars", "bar_count", LAM_UNIT_COUNT, 12, 12, 1);
   assert_told(&shop, "bars", "bar_length", "m", 2, 1.5, 12);
   assert_told(&shop, "bars", "bar_length_sum", "m", 18, 18, 12);
   assert_told(&shop, "bars", "bar_mass", "kg", 690 * (2 * s * s - cube / 8), sum / 12, 12);
   assert_told(&shop, "bars", "bar_mass_sum", "kg", sum, sum, 12);
-  assert_told(&shop, "bars", "distinct_lengths", "", 2, 2, 12);
-  assert_told(&shop, "bars", "unsound_bars", "", 0, 0, 12);
+  assert_told(&shop, "bars", "distinct_lengths", LAM_UNIT_COUNT, 2, 2, 1);
+  assert_told(&shop, "bars", "unsound_bars", LAM_UNIT_COUNT, 0, 0, 1);
   assert_true(shop.stages[0].converged);
   assert_string_equal(shop.stages[0].notes[0], "bars from node to node are 1 m to 2 m long");
   for (int i = 0; i < 12; i++) {
@@ -157,7 +157,7 @@ static void short_edges_get_no_bar(void **state) {
   lam_workshop shop = shop_of(state, 4, 3, narrow);
   make(&shop, "bars", "{families: [0]}");
   assert_int_equal(shop.part_count, 6);
-  assert_told(&shop, "bars", "distinct_lengths", "", 1, 1, 6);
+  assert_told(&shop, "bars", "distinct_lengths", LAM_UNIT_COUNT, 1, 1, 1);
   assert_string_equal(shop.stages[0].notes[1], "3 edges are too short for a bar");
   lam_workshop none = shop_of(state, 3, 3, field);
   make(&none, "bars", "{diameter: 2 m, rim: 0, families: [0], edges: inner}");
@@ -190,13 +190,13 @@ static void beams_are_counted_and_weighed(void **state) {
   double g = (.001 + .005 * sqrt(.5)) / sqrt(.5), a = LAM_PI / 12, up = 1 - 2 * g;
   double chord = 2.4 * sin(a) - 2 * g / cos(a), area = 2.2 * sin(a) * .2 * cos(a) - 2 * g * .2;
   double sum = 2660 * .01 * (24 * .2 * up + 36 * area);
-  assert_told(&shop, "support", "support_count", "", 60, 60, 60);
+  assert_told(&shop, "support", "support_count", LAM_UNIT_COUNT, 60, 60, 1);
   assert_told(&shop, "support", "support_length", "m", up, (24 * up + 36 * chord) / 60, 60);
   assert_told(&shop, "support", "support_mass", "kg", 2660 * .01 * .2 * up, sum / 60, 60);
   assert_told(&shop, "support", "support_mass_sum", "kg", sum, sum, 60);
-  assert_told(&shop, "support", "distinct_supports", "", 2, 2, 60);
+  assert_told(&shop, "support", "distinct_supports", LAM_UNIT_COUNT, 2, 2, 1);
   assert_told(&shop, "support", "warp", "mm", 0, 0, 60);
-  assert_told(&shop, "support", "unsound_supports", "", 0, 0, 60);
+  assert_told(&shop, "support", "unsound_supports", LAM_UNIT_COUNT, 0, 0, 1);
   assert_int_equal(shop.stages[0].note_count, 1);
   for (int i = 0; i < 60; i++) {
     const lam_part *part = &shop.parts[i];
@@ -266,13 +266,13 @@ static void rings_and_balls_are_counted(void **state) {
   make(&shop, "circles",
        "{spheres: yes, width: 50 mm, gap: 2 mm, thickness: 10 mm, material: brass}");
   double polygon = 24 * sin(LAM_PI / 24), ring = polygon * (.499 * .499 - .449 * .449) * .01;
-  assert_told(&shop, "circles", "ring_count", "", 16, 16, 16);
+  assert_told(&shop, "circles", "ring_count", LAM_UNIT_COUNT, 16, 16, 1);
   assert_told(&shop, "circles", "ring_diameter", "m", .998, .998, 16);
-  assert_told(&shop, "circles", "distinct_rings", "", 1, 1, 16);
-  assert_told(&shop, "circles", "ball_count", "", 25, 25, 25);
+  assert_told(&shop, "circles", "distinct_rings", LAM_UNIT_COUNT, 1, 1, 1);
+  assert_told(&shop, "circles", "ball_count", LAM_UNIT_COUNT, 25, 25, 1);
   assert_told(&shop, "circles", "ball_diameter", "m", .998, .998, 25);
-  assert_told(&shop, "circles", "distinct_balls", "", 1, 1, 25);
-  assert_told(&shop, "circles", "unsound_parts", "", 0, 0, 2);
+  assert_told(&shop, "circles", "distinct_balls", LAM_UNIT_COUNT, 1, 1, 1);
+  assert_told(&shop, "circles", "unsound_parts", LAM_UNIT_COUNT, 0, 0, 1);
   const lam_part *part = named(&shop, "ring-001");
   assert_near(part->mass, 8440 * ring, 1e-9);
   assert_fact(part, 0, "diameter", "m", .998);
@@ -307,8 +307,8 @@ static lam_vec3 halves(double u, double v) {
 static void circles_of_two_sizes(void **state) {
   lam_workshop shop = shop_of(state, 3, 3, halves); /* 1 x 1, .5 x .5, and two oblongs */
   make(&shop, "circles", "{circles: circumcircles, width: 50 mm, gap: 0}");
-  assert_told(&shop, "circles", "ring_count", "", 4, 4, 4);
-  assert_told(&shop, "circles", "distinct_rings", "", 3, 3, 4);
+  assert_told(&shop, "circles", "ring_count", LAM_UNIT_COUNT, 4, 4, 1);
+  assert_told(&shop, "circles", "distinct_rings", LAM_UNIT_COUNT, 3, 3, 1);
   assert_told(&shop, "circles", "ring_diameter", "m", sqrt(2),
               (sqrt(2) + sqrt(.5) + 2 * sqrt(1.25)) / 4, 4);
   assert_int_equal(shop.parts[1].instance_count, 2);
@@ -318,7 +318,7 @@ static void circles_of_two_sizes(void **state) {
 
   lam_workshop small = shop_of(state, 3, 2, steps);
   make(&small, "circles", "{circles: circumcircles, width: 600 mm, gap: 0}");
-  assert_told(&small, "circles", "ring_count", "", 1, 1, 1);
+  assert_told(&small, "circles", "ring_count", LAM_UNIT_COUNT, 1, 1, 1);
   assert_string_equal(small.stages[0].notes[0], "1 circles are too small for their width");
   lam_workshop none = shop_of(state, 3, 2, steps);
   make(&none, "circles", "{circles: none}");
