@@ -10,5 +10,5 @@ nm -D "$program" 2>/dev/null | grep -qE '__[at]san' && skip "sanitizers have an 
 command -v python3 >/dev/null || skip "python3 is not installed"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-${CC:-cc} -O2 -std=c11 -D_GNU_SOURCE -shared -fPIC -o "$scratch/fail.so" tests/torture/fail_allocation.c || exit 1
+${CC:-cc} -O2 -std=c11 -D_GNU_SOURCE -shared -fPIC -o "$scratch/fail.so" tests/torture/preload/fail_allocation.c || exit 1
 python3 tests/torture/allocations.py "$scratch/fail.so" "$program" 4

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Memory that runs out at one place of the whole program, for every verb and a dozen designs: allocation
-after allocation fails, whichever library asks for it (fail_allocation.c). Each time the program says so in
+after allocation fails, whichever library asks for it (preload/fail_allocation.c). Each time the program says so in
 one line and ends with its status, or makes the same bytes as ever. Called by tests/cli/memory.t:
 
   allocations.py LIBRARY PROGRAM [SHARE [WORD]]
