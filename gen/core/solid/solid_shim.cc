@@ -15,6 +15,17 @@
 #define CGAL_NO_GMP 1
 #define CGAL_NO_MPFR 1
 
+#include <CGAL/boost_mp.h>
+#include <CGAL/Number_types/internal/Exact_type_selector.h>
+
+/* Fractions in lowest terms. CGAL's choice without GMP never cancels: its numbers grow with every
+ * step, and some overlaps took minutes. */
+namespace CGAL::internal {
+template <> struct Exact_field_selector<double> {
+  using Type = boost::multiprecision::cpp_rational;
+};
+} // namespace CGAL::internal
+
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
