@@ -54,7 +54,8 @@ static int power_of_length(const char *unit) {
   static const struct {
     const char *unit;
     int power;
-  } units[] = {{"", 0}, {"deg", 0}, {"sr", 0}, {"m", 1}, {"1/m", -1}, {"1/m2", -2}};
+  } units[] = {{"", 0},  {LAM_UNIT_COUNT, 0}, {"deg", 0},  {"sr", 0},
+               {"m", 1}, {"1/m", -1},         {"1/m2", -2}};
   for (size_t i = 0; i < sizeof units / sizeof *units; i++)
     if (strcmp(units[i].unit, unit) == 0) return units[i].power;
   fail_msg("%s is no unit", unit);
