@@ -145,8 +145,8 @@ whole() { [[ $status -eq 0 && ! -s out ]] && exist whole/out/{report.json,roof.s
 ok "the whole program on top of lamella.h compiles by its command and writes all formats" whole
 
 # ---- running out of memory ----
-# 130 MB are enough for the library and a small design. 810,000 faces do not fit while the net is built, 90 lamellas with 30 crossings each not while their
-# solids are written. A program that hangs is stopped, which is wrong.
+# 130 MB are enough for the library and a small design. 810,000 vertices are refused before the net is built, 90 lamellas with 30 crossings each do not
+# fit while their solids are written. A program that hangs is stopped, which is wrong.
 cat >field.yaml <<'END'
 lamella: 1
 name: field
@@ -164,9 +164,10 @@ in_130_MB() { (ulimit -v 130000 && exec timeout 120 "$@"); }
 try in_130_MB ./build_design roof.yaml out.little
 ok "a small design is built in 130 MB" says 0 '^roof: 11 parts'
 exhausted() { [[ $status -eq 3 && ! -s out && $(cat err) == 'out of memory' ]]; }
+refused() { [[ $status -eq 1 && ! -s out && $(cat err) =~ ^field.yaml:4:.*'810000 vertices take about 11.2 GB, and there are 0.1 GB of memory' ]]; }
 try in_130_MB ./build_design field.yaml out.field
-ok "memory that runs out while building is exit status 3 and a message, and no signal" exhausted
-ok "memory that runs out while building leaves no file" nothing_in 3 out.field
+ok "a net that memory does not hold is bad input, told with what would fit" refused
+ok "it leaves no file" nothing_in 1 out.field
 try in_130_MB ./build_design large.yaml out.large
 ok "memory that runs out while writing is exit status 3 and a message, and no signal" exhausted
 whole_files() { [[ $status -eq 3 && -d out.large ]] && ! find out.large -name '*.part' -o -empty | grep . >err; }
@@ -176,7 +177,12 @@ every_limit() {
   local megabytes
   for megabytes in 40 60 80 100 130 160 200 250 300; do
     (ulimit -v ${megabytes}000 && exec timeout 60 ./build_design "$1" "out.$megabytes") >/dev/null 2>err
-    case $? in 0) ;; 3) [[ $(cat err) == 'out of memory' ]] || return 1 ;; *) return 1 ;; esac
+    case $? in
+    0) ;;
+    1) grep -q 'vertices take about .* GB, and there are .* GB of memory' err || return 1 ;;
+    3) [[ $(cat err) == 'out of memory' ]] || return 1 ;;
+    *) return 1 ;;
+    esac
   done
 }
 ok "with any limit a small design is built, or memory runs out with a status" every_limit roof.yaml
