@@ -29,7 +29,7 @@ includes := -Igen -Igen/include -I. -isystem /usr/include/suitesparse
 CFLAGS_   = -std=c11 -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off $(opt) $(warn) $(includes) -MMD -MP $(CFLAGS)
 # CGAL's exact predicates switch the rounding mode
 CXXFLAGS_ = -std=c++17 -fPIC -fvisibility=hidden -fvisibility-inlines-hidden -O2 -frounding-math $(warn) $(includes) -MMD -MP $(CXXFLAGS)
-libs     := -lamd -lyaml -ljansson -lpng -lstdc++ -lm
+libs     := -lamd -lgmp -lyaml -ljansson -lpng -lstdc++ -lm
 
 # Debian packages: to build; for pictures and OpenSCAD; for the tests
 packages_build := gcc g++ libc6-dev libsuitesparse-dev libcgal-dev \

@@ -4,7 +4,6 @@
 # make config=clang.
 set -u
 . "$(dirname "$0")/scratch.sh"
-project=$OLDPWD
 command -v clang >/dev/null || { echo "ok 1 - clang # SKIP not installed" && echo "1..1" && exit; }
 
 flags="-std=c11 -D_GNU_SOURCE -fPIC -ffp-contract=off -Wall -Wextra -Werror -Wshadow -Igen -Igen/include -I. -isystem /usr/include/suitesparse"

@@ -8,21 +8,7 @@ status=0
 
 # A net of 2 x 2 cells beside its design, and a stand-in for POV-Ray that writes half a picture and its state, says who it is, and
 # goes on for ever.
-cat >roof.obj <<'OBJ'
-v 0 0 0
-v 0 1 0
-v 0 2 0
-v 1 0 0
-v 1 1 .5
-v 1 2 0
-v 2 0 0
-v 2 1 0
-v 2 2 0
-f 1 4 5 2
-f 2 5 6 3
-f 4 7 8 5
-f 5 8 9 6
-OBJ
+cp "$project/tests/cases/meshes/roof.obj" .
 printf 'lamella: 1\nname: tent\nnet: {kind: free, from: {file: roof.obj}}\n' >tent.yaml
 mkdir bin
 printf '#!/bin/sh\necho half >.lamella-part.png\necho state >.lamella-part.pov-state\necho $$ >%s/pid\nexec sleep 100\n' "$scratch" >bin/povray

@@ -1,5 +1,6 @@
 # Sourced by tests of the program's verbs: a scratch folder to run in, and TAP.
 cd "$(dirname "$0")/../.." || exit 1
+project=$PWD
 lamella=$(realpath -m "${LAMELLA:-build/lamella}")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -133,21 +133,7 @@ for name in ("with space", "a:b", "a#b", "a$b", "a$(shell touch gone)b", "a'b\"c
 ok("and no text was run as a command", ["touched"] if os.path.exists("gone") else [])
 print(number, file=open("count", "w"))
 SCRIPT
-cat >roof.obj <<'OBJ'
-v 0 0 0
-v 0 1 0
-v 0 2 0
-v 1 0 0
-v 1 1 .5
-v 1 2 0
-v 2 0 0
-v 2 1 0
-v 2 2 0
-f 1 4 5 2
-f 2 5 6 3
-f 4 7 8 5
-f 5 8 9 6
-OBJ
+cp "$project/tests/cases/meshes/roof.obj" .
 # "beyond ASCII" in names must not depend on the reader's locale
 PYTHONUTF8=1 python3 texts.py "$lamella"
 number=$(cat count)

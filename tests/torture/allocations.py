@@ -52,20 +52,7 @@ net: {kind: free, grid: [4, 4]}""",
     "wrong": """surface: {kind: enneperr, size: 4 m}
 net: {kind: asymptotic, grid: [4, 4], orthogonal: 7}""",
 }
-ROOF = """v 0 0 0
-v 0 1 0
-v 0 2 0
-v 1 0 0
-v 1 1 .5
-v 1 2 0
-v 2 0 0
-v 2 1 0
-v 2 2 0
-f 1 4 5 2
-f 2 5 6 3
-f 4 7 8 5
-f 5 8 9 6
-"""
+ROOF = open(os.path.join(os.path.dirname(__file__), "..", "cases", "meshes", "roof.obj")).read()
 SIDES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
 

@@ -1,5 +1,5 @@
-/* STL, OBJ, OFF and PLY files of any bytes: the readers must not crash, must say what is wrong in single
- * lines, and what they do read must be measured without harm.
+/* STL, OBJ, OFF and PLY files of any bytes: the readers must not crash, must say what is wrong in
+ * single lines, and what they do read must be measured without harm.
  *
  * As a fuzzer:
  *   clang -g -O1 -std=c11 -D_GNU_SOURCE -fsanitize=fuzzer,address,undefined -Igen -I.

@@ -11,15 +11,12 @@
  * the options. */
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
-/* Exact numbers of CGAL's own: GMP ends the whole program when memory runs out, these throw. */
-#define CGAL_NO_GMP 1
-#define CGAL_NO_MPFR 1
-
+/* GMP ends the whole program when memory runs out. Its numbers on the stack of the predicates (Mpzf)
+ * ask for none; those of constructions are Boost's, which throw: fractions in lowest terms, for
+ * those that never cancel grow with every step, and some overlaps took minutes. */
 #include <CGAL/boost_mp.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
 
-/* Fractions in lowest terms. CGAL's choice without GMP never cancels: its numbers grow with every
- * step, and some overlaps took minutes. */
 namespace CGAL::internal {
 template <> struct Exact_field_selector<double> {
   using Type = boost::multiprecision::cpp_rational;

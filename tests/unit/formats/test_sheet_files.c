@@ -127,6 +127,14 @@ static const char *in_pairs(lam_arena *arena, const char *text) {
 #define VERTEX(layer, x, y) "  0 VERTEX\n  8 " layer "\n 10 " x "\n 20 " y "\n 30 0\n"
 #define SEQEND(layer) "  0 SEQEND\n  8 " layer "\n"
 #define CORNER(x, y) VERTEX("DEFPOINTS", x, y)
+#define EDGE(w, h)                                                                                 \
+  POLYLINE("DEFPOINTS", "1")                                                                       \
+  CORNER("0", "0") CORNER(w, "0") CORNER(w, h) CORNER("0", h) SEQEND("DEFPOINTS")
+#define TRIANGLE                                                                                   \
+  POLYLINE("CUT", "1")                                                                             \
+  VERTEX("CUT", "100", "50")                                                                       \
+  VERTEX("CUT", "200", "50")                                                                       \
+  VERTEX("CUT", "200", "150.0001") VERTEX("CUT", "200", "150") SEQEND("CUT")
 #define SQUARE                                                                                     \
   POLYLINE("CUT", "1")                                                                             \
   VERTEX("CUT", "10", "20")                                                                        \
@@ -143,12 +151,7 @@ static void dxf_of_a_sheet(void **state) {
       "999 kerf is not compensated: lines are the true edges of the parts\n",
       HEADER("500", "250"),
       TABLES,
-      POLYLINE("DEFPOINTS", "1"),
-      CORNER("0", "0"),
-      CORNER("500", "0"),
-      CORNER("500", "250"),
-      CORNER("0", "250"),
-      SEQEND("DEFPOINTS"),
+      EDGE("500", "250"),
       POLYLINE("ENGRAVE", "0"),
       VERTEX("ENGRAVE", "123.4568", "100"),
       VERTEX("ENGRAVE", "130", "110"),
@@ -159,12 +162,7 @@ static void dxf_of_a_sheet(void **state) {
       VERTEX("LABEL", "115", "70"),
       SEQEND("LABEL"),
       SQUARE,
-      POLYLINE("CUT", "1"),
-      VERTEX("CUT", "100", "50"),
-      VERTEX("CUT", "200", "50"),
-      VERTEX("CUT", "200", "150.0001"),
-      VERTEX("CUT", "200", "150"),
-      SEQEND("CUT"),
+      TRIANGLE,
       END,
       NULL,
   };
@@ -179,12 +177,7 @@ static void dxf_tells_the_kerf(void **state) {
       "999 kerf of 0.2 mm is compensated: cut along the lines\n",
       HEADER("1234.5679", "1000"),
       TABLES,
-      POLYLINE("DEFPOINTS", "1"),
-      CORNER("0", "0"),
-      CORNER("1234.5679", "0"),
-      CORNER("1234.5679", "1000"),
-      CORNER("0", "1000"),
-      SEQEND("DEFPOINTS"),
+      EDGE("1234.5679", "1000"),
       SQUARE,
       SQUARE,
       SQUARE,
@@ -206,12 +199,7 @@ static void dxf_in_the_order_of_work(void **state) {
       "999 kerf is not compensated: lines are the true edges of the parts\n",
       HEADER("500", "250"),
       TABLES,
-      POLYLINE("DEFPOINTS", "1"),
-      CORNER("0", "0"),
-      CORNER("500", "0"),
-      CORNER("500", "250"),
-      CORNER("0", "250"),
-      SEQEND("DEFPOINTS"),
+      EDGE("500", "250"),
       POLYLINE("DEFPOINTS", "0"),
       CORNER("190", "200"),
       CORNER("190", "202"),
@@ -241,12 +229,7 @@ static void dxf_in_the_order_of_work(void **state) {
       VERTEX("CUT", "240", "210"),
       VERTEX("CUT", "180", "210"),
       SEQEND("CUT"),
-      POLYLINE("CUT", "1"),
-      VERTEX("CUT", "100", "50"),
-      VERTEX("CUT", "200", "50"),
-      VERTEX("CUT", "200", "150.0001"),
-      VERTEX("CUT", "200", "150"),
-      SEQEND("CUT"),
+      TRIANGLE,
       END,
       NULL,
   };

@@ -1,4 +1,4 @@
-/* Tidying of meshes that other programs have written. Counts follow from how the meshes are made. */
+/* Tidying of meshes that other programs have written. Counts follow from how meshes are made. */
 #include "mesh/net.h"
 #include "mesh/tidy.h"
 #include "tests/unit/text_fixture.h"

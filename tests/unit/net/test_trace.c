@@ -350,8 +350,8 @@ static void geodesic_coordinates(void **state) {
 
 /* Lines that reach every corner cover everything. On the square [-1, 1]^2 of a plane, circles of
  * radius r/8 around the middle, the first left out, cover pi (1 - 1/64) / 4 of it; twelve of a
- * hundred cells in the middle .12; the largest rectangle along the diagonals has half the area, and the seeds of
- * its lines come to within a twelfth of its sides. */
+ * hundred cells in the middle .12; the largest rectangle along the diagonals has half the area, and
+ * the seeds of its lines come to within a twelfth of its sides. */
 static void coverage_of_the_square(void **state) {
   net_fixture *f = *state;
   lam_placement_keys square = {.u = {-1, 1}, .v = {-1, 1}, .u_given = true, .v_given = true};
