@@ -11,9 +11,9 @@
  * the options. */
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
-/* GMP ends the whole program when memory runs out. Its numbers on the stack of the predicates (Mpzf)
- * ask for none; those of constructions are Boost's, which throw: fractions in lowest terms, for
- * those that never cancel grow with every step, and some overlaps took minutes. */
+/* GMP ends the whole program when memory runs out. What predicates take of it (Mpzf) asks for none;
+ * the numbers of constructions are Boost's, which throw: fractions in lowest terms, for those that
+ * never cancel grow with every step, and some overlaps took minutes. */
 #include <CGAL/boost_mp.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
 
