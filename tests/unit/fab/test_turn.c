@@ -67,6 +67,36 @@ static void a_rhombus_lies_along_its_side(void **state) {
   assert_near(size.y, 1 / sqrt(1.25), 1e-12);
 }
 
+/* A trapezoid of sides 4, 2 and 3: 4 x 3 along its base, and along its slanted side, which falls 1
+ * on 4, 19/sqrt(17) x 12/sqrt(17) = 4.61 x 2.91: flatter, but of area 13.4. Both fit. */
+static void the_least_area_is_taken(void **state) {
+  lam_motion turn = {cos(.4), sin(.4), {0, 0}};
+  lam_vec2 corners[] = {{0, 0}, {4, 0}, {4, 2}, {0, 3}};
+  for (int i = 0; i < 4; i++) corners[i] = lam_motion_apply(&turn, corners[i]);
+  lam_path trapezoid = {.layer = LAM_LAYER_CUT, .closed = true, .count = 4, .points = corners};
+  assert_true(lam_turn_to_fit(*state, &trapezoid, 1, (double[]){4.7, 3.05}, &turn));
+  lam_vec2 size = size_after(*state, &trapezoid, &turn);
+  assert_near(size.x, 4, 1e-12);
+  assert_near(size.y, 3, 1e-12);
+}
+
+/* An ellipse of 24 corners, with semi-axes 1 and .5 and sides across its axes: 2 c x c there, with c
+ * = cos(pi/24). The points on a line inside are on no hull. */
+static void a_round_outline_lies_along_its_axis(void **state) {
+  lam_motion turn = {cos(.4), sin(.4), {0, 0}};
+  lam_vec2 points[48];
+  for (int i = 0; i < 24; i++) {
+    double angle = (i + .5) * LAM_PI / 12;
+    points[2 * i] = lam_motion_apply(&turn, lam_v2(cos(angle), .5 * sin(angle)));
+    points[2 * i + 1] = lam_v2(.01 * i, .002 * i);
+  }
+  lam_path ellipse = {.layer = LAM_LAYER_CUT, .closed = true, .count = 48, .points = points};
+  assert_true(lam_turn_to_fit(*state, &ellipse, 1, (double[]){2, 1}, &turn));
+  lam_vec2 size = size_after(*state, &ellipse, &turn);
+  assert_near(size.x, 2 * cos(LAM_PI / 24), 1e-12);
+  assert_near(size.y, cos(LAM_PI / 24), 1e-12);
+}
+
 static void what_is_too_large_stays(void **state) {
   lam_path path = tilted(*state, 2, 1, .4);
   lam_motion turn;
@@ -79,6 +109,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       TEST(what_fits_is_not_turned), TEST(a_quarter_comes_first),
       TEST(the_least_box_is_found),  TEST(a_rhombus_lies_along_its_side),
+      TEST(the_least_area_is_taken), TEST(a_round_outline_lies_along_its_axis),
       TEST(what_is_too_large_stays),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
