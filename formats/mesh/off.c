@@ -96,7 +96,7 @@ static bool read_face(reader *r) {
 
 /* Reads the vertices, and the faces unless only points are wanted. False with messages. */
 static bool read_all(reader *r, bool points) {
-  lam_word rest;
+  lam_word rest = {0};
   int vertices, faces;
   if (!read_heading(r, &rest) || !read_counts(r, rest, &vertices, &faces) ||
       !read_vertices(r, vertices))
